@@ -17,6 +17,8 @@
 #include "apps/limpet/verbs/site_drawing.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/preflight/preflight.hpp"
+#include "limpet/runs/flown_mission.hpp"
+#include "limpet/runs/session_runner.hpp"
 
 namespace limpet {
 namespace {
@@ -55,7 +57,11 @@ Command CheckForm() {
                    .rule = WholeNumber(0)},
                   {.names = "--figure",
                    .value = "FILE",
-                   .meaning = "writes a picture of the area (SVG)"}},
+                   .meaning = "writes a picture of the area (SVG)"},
+                  {.names = "--set",
+                   .value = "OWNER.KEY=V",
+                   .meaning = "checks the mission as if it said this, as `limpet survey` takes it",
+                   .is_repeatable = true}},
       .more =
           "Exit code 0: nothing is wrong with it (notes or not; Limpet's own programs run it "
           "unless "
@@ -84,6 +90,32 @@ nlohmann::ordered_json EnergyJson(const std::optional<EnergyOutlook>& energy) {
           {"home_wh", energy->home_wh},
           {"charged_wh", energy->charged_wh},
           {"reserve_wh", energy->reserve_wh}};
+}
+
+/// What the user named, and what is set in it before it is looked at; empty without `--set`.
+struct CheckedMission {
+  std::string path;
+  MissionChange change;
+};
+
+MissionChange ChangeOf(const Arguments& given) {
+  const std::vector<std::string> settings = given.All("set");
+  if (settings.empty()) return {};
+  return [settings](MissionFile& mission) {
+    for (const std::string& setting : settings) {
+      ApplySetting(mission, setting);
+    }
+  };
+}
+
+/// Settings are of one mission. Throws UsageError for a behavior file, and ConfigError for a folder
+/// in which it is not clear which mission is meant.
+std::filesystem::path ChangedMissionAt(const std::filesystem::path& path) {
+  if (path.extension() == ".bhv") {
+    throw UsageError(
+        fmt::format("--set is for missions, not for a behavior file ({})", OneLine(path.string())));
+  }
+  return FlownMissionAt(path);
 }
 
 struct CheckLine {
@@ -154,10 +186,10 @@ void PrintLines(const MissionProblems& found) {
 
 /// The area as text on a terminal, or if it is asked for: beside JSON on stderr, which leaves that
 /// whole. As a picture if a file is named.
-void DrawSite(const Arguments& given, const std::string& path) {
+void DrawSite(const Arguments& given, const CheckedMission& checked) {
   const bool is_drawn = given.Has("draw") || (isatty(STDOUT_FILENO) != 0 && !given.Has("json"));
   if (!is_drawn && !given.Has("figure")) return;
-  const std::optional<Site> site = SiteOf(path);
+  const std::optional<Site> site = SiteOf(checked.path, checked.change);
   constexpr int kColumns = 78;
   if (site && is_drawn) {
     fmt::print(given.Has("json") ? stderr : stdout, "{}", SiteText(*site, kColumns));
@@ -182,18 +214,20 @@ DryRunSeeds SeedsOf(const Arguments& given) {
           .count = static_cast<int>(given.Integer("seeds"))};
 }
 
-int CheckInText(const Arguments& given, const std::string& path, const MissionProblems& found) {
+int CheckInText(const Arguments& given, const CheckedMission& checked,
+                const MissionProblems& found) {
   PrintLines(found);
-  DrawSite(given, path);
+  DrawSite(given, checked);
   const int code = CodeOf(found);
   if (code != kOk || !given.Has("dry-run")) return code;
-  const DryRun run = FlyDryRun(path, SeedsOf(given), PrintFlight);
+  const DryRun run = FlyDryRun(checked.path, checked.change, SeedsOf(given), PrintFlight);
   PrintVerdict(run);
   return run.ExitCode();
 }
 
 /// One object, with `dry_run` if that is asked for: null if the mission is not fit to be flown.
-int CheckInJson(const Arguments& given, const std::string& path, const MissionProblems& found) {
+int CheckInJson(const Arguments& given, const CheckedMission& checked,
+                const MissionProblems& found) {
   nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
                              {"geometry", JsonOf(found.geometry)},
                              {"notes", JsonOf(found.notes)},
@@ -203,13 +237,14 @@ int CheckInJson(const Arguments& given, const std::string& path, const MissionPr
   if (given.Has("dry-run")) {
     out["dry_run"] = nullptr;
     if (code == kOk) {
-      const DryRun run = FlyDryRun(path, SeedsOf(given), [](const SeedFlight&) {});
+      const DryRun run =
+          FlyDryRun(checked.path, checked.change, SeedsOf(given), [](const SeedFlight&) {});
       out["dry_run"] = JsonOf(run);
       code = run.ExitCode();
     }
   }
   fmt::print("{}\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  DrawSite(given, path);
+  DrawSite(given, checked);
   return code;
 }
 
@@ -218,8 +253,11 @@ int CheckMission(const Arguments& given) {
   if (!std::filesystem::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", OneLine(path)));
   }
-  const MissionProblems found = CheckPath(path);
-  return given.Has("json") ? CheckInJson(given, path, found) : CheckInText(given, path, found);
+  const CheckedMission checked{.path = path, .change = ChangeOf(given)};
+  const MissionProblems found =
+      checked.change ? CheckMissionFile(ChangedMissionAt(path), checked.change) : CheckPath(path);
+  return given.Has("json") ? CheckInJson(given, checked, found)
+                           : CheckInText(given, checked, found);
 }
 
 }  // namespace

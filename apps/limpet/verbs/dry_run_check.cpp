@@ -93,10 +93,11 @@ int DryRun::refused() const { return static_cast<int>(std::ranges::count_if(flig
 
 int DryRun::ExitCode() const { return is_interrupted ? kFailed : refused() == 0 ? kOk : kRefused; }
 
-DryRun FlyDryRun(const fs::path& path, const DryRunSeeds& seeds,
+DryRun FlyDryRun(const fs::path& path, const MissionChange& change, const DryRunSeeds& seeds,
                  const std::function<void(const SeedFlight&)>& told) {
   const fs::path file = FlownMissionAt(path);
-  const MissionFile read = LoadMission(file);
+  MissionFile read = LoadMission(file);
+  if (change) change(read);
   RequireApps(read);
   const MissionFile mission = PreparedForDryRun(read);
   const ScratchFolder scratch("limpet_dry");

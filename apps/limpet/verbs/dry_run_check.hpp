@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limpet/preflight/preflight.hpp"
 #include "limpet/safety_trials/dry_run.hpp"
 
 namespace limpet {
@@ -34,9 +35,10 @@ struct DryRun {
 };
 
 /// Flies a mission embedded, all its sessions once for each seed, up to one that is refused; `told`
-/// hears of each flight at its end. `path`: a mission folder or .moos file. Throws UsageError for a
-/// mission that such a flight says nothing of.
-[[nodiscard]] DryRun FlyDryRun(const std::filesystem::path& path, const DryRunSeeds& seeds,
+/// hears of each flight at its end. `path`: a mission folder or .moos file; `change` is made in it
+/// first. Throws UsageError for a mission that such a flight says nothing of.
+[[nodiscard]] DryRun FlyDryRun(const std::filesystem::path& path, const MissionChange& change,
+                               const DryRunSeeds& seeds,
                                const std::function<void(const SeedFlight&)>& told);
 void PrintFlight(const SeedFlight& flown);
 void PrintVerdict(const DryRun& run);

@@ -98,11 +98,12 @@ std::string FiguresText(const Site& site) {
 
 }  // namespace
 
-std::optional<Site> SiteOf(const fs::path& path) {
+std::optional<Site> SiteOf(const fs::path& path, const MissionChange& change) {
   const fs::path file = MissionFileAt(path);
   if (file.extension() != ".moos" || !fs::exists(file)) return std::nullopt;
   try {
-    const MissionFile mission = LoadMission(file);
+    MissionFile mission = LoadMission(file);
+    if (change) change(mission);
     const MissionReading reading(mission, file.parent_path());
     const std::optional<SurveyFacts> facts = ReadSurveyFacts(reading);
     if (!facts || facts->problem || facts->wanted_m2 <= 0.0) return std::nullopt;

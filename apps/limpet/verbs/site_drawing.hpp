@@ -7,6 +7,7 @@
 #include <string>
 
 #include "limpet/planning/region.hpp"
+#include "limpet/preflight/preflight.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
@@ -21,8 +22,10 @@ struct Site {
   double speed_mps = 0.0;           ///< 0: no behavior says it
 };
 
-/// Nothing if the mission surveys no area, or none that can be read. REQUIRES: it exists.
-[[nodiscard]] std::optional<Site> SiteOf(const std::filesystem::path& path);
+/// Nothing if the mission surveys no area, or none that can be read. `change`, if there is one, is
+/// made first. REQUIRES: it exists.
+[[nodiscard]] std::optional<Site> SiteOf(const std::filesystem::path& path,
+                                         const MissionChange& change = {});
 
 /// North up, as wide as `columns`: `:` ground to be seen, `.` the rest of the operating region, `#`
 /// keep-out zones, `o` way points, `S` the start; under it a line of figures.

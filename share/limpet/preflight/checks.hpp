@@ -15,8 +15,9 @@ void CheckBlockNames(const MissionReading& reading, MissionProblems& found);
 void CheckGlobals(const MissionReading& reading, MissionProblems& found);
 /// Macros that a mission defines and nothing in its files uses: notes.
 void CheckMacros(const MissionReading& reading, MissionProblems& found);
-/// That the mission says which vehicle flies it, if it starts an app that needs to know.
-void CheckVehicle(const MissionReading& reading, MissionProblems& found);
+/// That the mission says which vehicle flies it, if it starts an app that needs to know. False: it
+/// is to be known and is not.
+[[nodiscard]] bool CheckVehicle(const MissionReading& reading, MissionProblems& found);
 void CheckLaunches(const MissionReading& reading, MissionProblems& found);
 void CheckBlocks(const MissionReading& reading, MissionProblems& found);
 void CheckBehaviors(const MissionReading& reading, MissionProblems& found);

@@ -133,6 +133,14 @@ void SetMacrosAside(MissionProblems& found) {
   Join(undefined, found.notes);
 }
 
+/// Whose value the vehicle's file says, and which is missing since that cannot be read.
+bool IsLackOfVehicle(const ConfigProblem& problem) {
+  return std::ranges::any_of(VehicleFacts().takers, [&problem](const FactTaker& taker) {
+    return problem.key == taker.key &&
+           problem.text.starts_with(fmt::format("is missing in {} ", taker.owner));
+  });
+}
+
 void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   const MissionFile& mission = reading.mission();
   Join(NotesOf(mission, [&](const std::string& block) { return IsOurs(mission, block); }),
@@ -141,9 +149,10 @@ void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   internal::CheckBlockNames(reading, found);
   internal::CheckGlobals(reading, found);
   internal::CheckMacros(reading, found);
-  internal::CheckVehicle(reading, found);
+  const bool has_vehicle = internal::CheckVehicle(reading, found);
   internal::CheckBlocks(reading, found);
   internal::CheckBehaviors(reading, found);
+  if (!has_vehicle) std::erase_if(found.syntax, IsLackOfVehicle);
   internal::CheckLead(reading, found);
   if (reading.is_foreign()) SetMacrosAside(found);
 }
@@ -299,9 +308,10 @@ MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& f
   return Sorted(std::move(found));
 }
 
-MissionProblems CheckMissionFile(const fs::path& file) {
+MissionProblems CheckMissionFile(const fs::path& file, const MissionChange& change) {
   try {
-    const PartOfMission part = LoadWithoutMissingIncludes(file);
+    PartOfMission part = LoadWithoutMissingIncludes(file);
+    if (change) change(part.mission);
     MissionProblems found = CheckLoadedMission(part.mission, file.parent_path());
     Join(part.missing, found.notes);
     Join(part.missing, found.refused_here);  // a launcher is not told of other folders

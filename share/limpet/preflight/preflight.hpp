@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,9 +37,13 @@ struct MissionProblems {
   std::optional<EnergyOutlook> energy{};
 };
 
+/// What is set in a mission before it is looked at. May throw ConfigError, which is then found.
+using MissionChange = std::function<void(MissionFile&)>;
+
 /// The mission file, the behavior files, scenario.yaml and expect.yaml beside it. Every problem,
 /// not the first; geometry only where the syntax is right. Never throws for what a file says.
-[[nodiscard]] MissionProblems CheckMissionFile(const std::filesystem::path& file);
+[[nodiscard]] MissionProblems CheckMissionFile(const std::filesystem::path& file,
+                                               const MissionChange& change = {});
 
 /// A mission that is read already, and perhaps changed since; `folder` is where its files are.
 [[nodiscard]] MissionProblems CheckLoadedMission(const MissionFile& mission,

@@ -68,16 +68,17 @@ void CheckSensorsFor(const MissionReading& reading, MissionProblems& found) {
 
 }  // namespace
 
-void CheckVehicle(const MissionReading& reading, MissionProblems& found) {
+bool CheckVehicle(const MissionReading& reading, MissionProblems& found) {
   const std::string named = reading.mission().Global(kVehicleFileGlobal);
   std::string needed_by;
   for (const std::string_view app : kNeedVehicle) {
     if (needed_by.empty() && reading.Launches(app) && !reading.StandsIn(app)) needed_by = app;
   }
-  if (named.empty() && needed_by.empty()) return;
+  if (named.empty() && needed_by.empty()) return true;
   CheckSensorsFor(reading, found);
   try {
     static_cast<void>(LoadMissionVehicle(named, reading.folder()));
+    return true;
   } catch (const ConfigError& error) {
     for (ConfigProblem problem : error.problems()) {
       if (problem.where.file.empty()) problem.where = LineOfGlobal(reading.mission());
@@ -85,6 +86,7 @@ void CheckVehicle(const MissionReading& reading, MissionProblems& found) {
         problem.text = fmt::format("{} needs this global, which {}", needed_by, problem.text);
       found.syntax.push_back(std::move(problem));
     }
+    return false;
   }
 }
 
