@@ -112,7 +112,7 @@ Expectations ParseExpectations(const std::string& text, const std::string& file,
   YamlReader in(file);
   Expectations expected;
   try {
-    expected = ReadExpectations(in, YAML::Load(text), file, sessions);
+    expected = ReadExpectations(in, in.OnlyDocument(text), file, sessions);
   } catch (const YAML::Exception& error) {
     in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
   }

@@ -289,7 +289,7 @@ Scenario ParseScenario(const std::string& text, const std::string& file, bool ch
   YamlReader in(file);
   Scenario scenario;
   try {
-    scenario = ReadScenario(in, YAML::Load(text), checks_places);
+    scenario = ReadScenario(in, in.OnlyDocument(text), checks_places);
   } catch (const YAML::Exception& error) {
     in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
   }

@@ -151,6 +151,16 @@ YamlReader::Field YamlReader::Integer(const std::string& path, const char* key, 
           }};
 }
 
+YAML::Node YamlReader::OnlyDocument(const std::string& text) {
+  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+  for (std::size_t more = 1; more < documents.size(); ++more) {
+    if (documents[more].IsNull()) continue;
+    Complain(documents[more], "", "a second document (behind a line `---`), which is not read");
+    break;
+  }
+  return documents.empty() ? YAML::Node() : documents.front();
+}
+
 YamlReader::Field YamlReader::Choice(const std::string& path, const char* key, std::string& field,
                                      std::vector<std::string> choices) {
   return {key, [this, path, key, &field, choices = std::move(choices)](const YAML::Node& node) {

@@ -23,6 +23,10 @@ class YamlReader {
  public:
   explicit YamlReader(std::string file) : file_(std::move(file)) {}
 
+  /// The text's document; a second one, which nobody would read, is a problem. Throws
+  /// YAML::Exception.
+  [[nodiscard]] YAML::Node OnlyDocument(const std::string& text);
+
   using Handler = std::function<void(const YAML::Node& value)>;
   struct Field {
     std::string key;

@@ -213,7 +213,7 @@ Reading ReadBase(YamlReader& in, const YAML::Node& root, const fs::path& folder)
   std::ranges::reverse(chain);
   for (const fs::path& file : chain) {
     YamlReader one(file.string());
-    ReadSections(one, YAML::Load(ReadTextFile(file)), reading);
+    ReadSections(one, one.OnlyDocument(ReadTextFile(file)), reading);
     if (!one.problems().empty()) throw ConfigError(one.problems());
   }
   return reading;
@@ -267,7 +267,7 @@ VehicleFile ParseVehicleFile(const std::string& text, const std::string& file) {
   YamlReader in(file);
   VehicleFile vehicle;
   try {
-    vehicle = ReadVehicle(in, YAML::Load(text), fs::path(file).parent_path());
+    vehicle = ReadVehicle(in, in.OnlyDocument(text), fs::path(file).parent_path());
   } catch (const YAML::Exception& error) {
     in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
   }

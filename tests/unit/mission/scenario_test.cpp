@@ -138,6 +138,8 @@ TEST(Scenario, RefusesAKeyGivenTwice) {
 
 TEST(Scenario, NamesTheLineWhereTheYamlBreaks) {
   EXPECT_THAT(ScenarioErrorsOf("camera: boxes\nopis: [\n"), HasSubstr("not YAML"));
+  EXPECT_THAT(ScenarioErrorsOf("camera: boxes\n---\ncamera: rendered\n"),
+              HasSubstr("a second document"));
 }
 
 TEST(Scenario, SaysWhichFileCannotBeRead) {

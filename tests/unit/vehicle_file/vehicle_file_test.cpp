@@ -226,6 +226,12 @@ TEST(VehicleFile, RefusesWhatIsNoYamlAndWhatIsNoMap) {
               ElementsAre(HasSubstr("is given twice")));
 }
 
+TEST(VehicleFile, RefusesASecondDocumentWhichNobodyWouldRead) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35") + "---\nhull:\n  mass_kg: 50\n"),
+              ElementsAre(HasSubstr("a second document")));
+  EXPECT_THAT(ProblemsOf("---\n" + FileWith("mass_kg: 35") + "...\n"), testing::IsEmpty());
+}
+
 TEST(VehicleFile, LiesBesideTheMissionBeforeItIsLookedForAmongTheShipped) {
   const TemporaryFolder folder;
   const auto beside = [&] { return LoadMissionVehicle("feelhippo.yaml", folder.path()).name; };
