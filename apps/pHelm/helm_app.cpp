@@ -232,6 +232,7 @@ void HelmApp::Tick(Seconds now) {
 void HelmApp::Iterate(Seconds now) {
   PostInitialValues();
   PostRequests();
+  if (std::exchange(is_updated_, false)) SubscribeForBehaviors();
   ++helm_iteration_;
   motion_ = {};
   TakeStockNav(now);
@@ -250,21 +251,11 @@ void HelmApp::Iterate(Seconds now) {
                      .domain = arbiter_.domain(),
                      .ownship = ownship_,
                      .heard = &host_.heard()};
-  Post(host_.Update(state));
-  if (is_parked_ || IsOverruled()) {
-    planner_.DropPath();
-    view_failures_.clear();
-    view_late_.clear();
-    AllStop(is_parked_ ? "ManualOverride" : "Safety:" + std::string(NameOf(safety_)));
+  if (is_parked_) {
+    StandStill("ManualOverride");  // behaviors stand, too: no duration runs, no flag is posted
   } else {
-    TellRestart();
-    DecideView(now);
-    TellRevisits(now);
-    state.guidance = planner_.Guide(*nav_);
-    Steer(state);
-    if (params_.park_on_allstop && allstop_text_ != "clear") Park(true);
+    Drive(state);
   }
-  SettleBehaviors(state);
   if (lead_.leads()) JudgeLedHelm(now);
   GatherFailures();
   TellFailures();
@@ -273,6 +264,28 @@ void HelmApp::Iterate(Seconds now) {
     drawing_.ErasePath();
   }
   PublishState(now);
+}
+
+void HelmApp::Drive(VehicleState& state) {
+  Post(host_.Update(state));
+  if (IsOverruled()) {
+    StandStill("Safety:" + std::string(NameOf(safety_)));
+  } else {
+    TellRestart();
+    DecideView(state.now);
+    TellRevisits(state.now);
+    state.guidance = planner_.Guide(*nav_);
+    Steer(state);
+    if (params_.park_on_allstop && allstop_text_ != "clear") Park(true);
+  }
+  SettleBehaviors(state);
+}
+
+void HelmApp::StandStill(const std::string& why) {
+  planner_.DropPath();
+  view_failures_.clear();
+  view_late_.clear();
+  AllStop(why);
 }
 
 void HelmApp::DecideView(Seconds now) {

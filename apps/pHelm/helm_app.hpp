@@ -88,6 +88,9 @@ class HelmApp final : public App {
   void TellLoad();
   void Post(const std::vector<HelmPost>& posts);
   void Iterate(Seconds now);
+  void Drive(VehicleState& state);
+  /// Stops all, and forgets the path.
+  void StandStill(const std::string& why);
   void DecideView(Seconds now);
   void JudgeLedHelm(Seconds now);
   /// Says which objects still want a look, and which will get none.
@@ -122,6 +125,7 @@ class HelmApp final : public App {
   Params params_;
   std::string ownship_;  ///< the vehicle's name
   BehaviorHost host_;
+  bool is_updated_ = false;                ///< some behavior, since the last iteration
   std::set<std::string> heard_variables_;  ///< that behaviors want
   ViewPlanner planner_;
   MotionArbiter arbiter_;

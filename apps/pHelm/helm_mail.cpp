@@ -40,7 +40,9 @@ void HelmApp::SubscribeForBehaviors() {
         // What behaviors of this helm have posted is right at any time.
         if (message->source != name() && !IsInTime(message->name, message->time)) return;
         host_.SetVariable(message->name, message->value, message->time);
-        journal_.PostUpdateResults(host_.TakeUpdateResults());
+        const std::vector<std::string> results = host_.TakeUpdateResults();
+        is_updated_ = is_updated_ || !results.empty();  // it may ask for more, e.g. a condition
+        journal_.PostUpdateResults(results);
       });
     }
   }

@@ -149,10 +149,13 @@ TEST_F(BehaviorWarningsTest, HearsNoBidOfABehaviorThatCannotBeStartedAndSaysWhy)
   EXPECT_EQ(link_.Last(topics::kBehaviorError), "MissingDecVars:course,depth");
 }
 
-TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsWhileIdleAlsoWhenParked) {
+TEST_F(BehaviorWarningsTest, SaysThatABehaviorFailsWhileIdleAndAsksNoneWhileParked) {
   Hear("CALM", "true");
   link_.Send(*app_, topics::kManualOverride, true);
   link_.Send(*app_, topics::kNavState, NavState{.east = 60.0, .altitude = {}});
+  Tick();
+  EXPECT_FALSE(app_->warnings().contains("BHV_FAILED_worry"));
+  link_.Send(*app_, topics::kManualOverride, false);
   Tick();
   EXPECT_EQ(app_->warnings().at("BHV_FAILED_worry").text,
             "worry: it has thrown: off its chart, idle");

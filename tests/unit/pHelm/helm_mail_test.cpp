@@ -102,6 +102,19 @@ TEST_F(HelmMailTest, WhatBehaviorsAskForWaitsForTheAppsThatTheBlockNames) {
   EXPECT_FALSE(app_->warnings().contains("APPS_AWAITED"));
 }
 
+TEST_F(HelmMailTest, WhatAnUpdateMakesABehaviorAskForIsHeard) {
+  std::ofstream(folder_.path() / "own.bhv")
+      << "Behavior = BHV_TestAsks\n{\n name = t\n updates = TIMER_UPDATE\n}\n";
+  HelmApp::Params params;
+  params.behaviors = {"own.bhv"};
+  Make(params);
+  Tick();
+  EXPECT_THAT(link_.subscriptions, Not(Contains("ZZ")));
+  Say("TIMER_UPDATE", "condition = ZZ = true");
+  Tick();
+  EXPECT_THAT(link_.subscriptions, Contains("ZZ"));
+}
+
 TEST_F(HelmMailTest, NobodyIsWaitedForInAnEmbeddedRun) {
   HelmApp::Params params;
   params.hold_on_app = {"pObstacleMgr"};

@@ -2,6 +2,7 @@
 // A helm on a vehicle that says where it is by NAV_X and its kin.
 #include "apps/pHelm/stock_nav.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 
@@ -37,8 +38,9 @@ LIMPET_REGISTER_BEHAVIOR(BHV_TestAhead);
 
 class StockNavTest : public ::testing::Test {
  protected:
-  void Make(HelmApp::Params params) {
-    std::ofstream(folder_.path() / "mission.bhv") << "Behavior = BHV_TestAhead\n{\n}\n";
+  void Make(HelmApp::Params params, const std::string& lines = "") {
+    std::ofstream(folder_.path() / "mission.bhv") << "Behavior = BHV_TestAhead\n{\n"
+                                                  << lines << "}\n";
     AppContext context;
     context.name = "pHelmIvP";
     context.link = &link_;
@@ -59,6 +61,11 @@ class StockNavTest : public ::testing::Test {
   void Tick(double seconds = 0.1) {
     link_.time += Seconds(seconds);
     app_->Tick(link_.time);
+  }
+  [[nodiscard]] bool Said(const std::string& variable) const {
+    return std::ranges::any_of(link_.published, [&variable](const MessagePtr& message) {
+      return message->name == variable;
+    });
   }
   [[nodiscard]] std::string AllStop() const { return *link_.Last(topics::kHelmAllStop); }
 
@@ -131,6 +138,31 @@ TEST_F(StockNavTest, StartsParkedWhereTheMissionSaysSoAndIsDrivenByEitherSpellin
   link_.Send(*app_, topics::kManualOverrideMisspelt, false);
   Tick();
   EXPECT_EQ(*link_.Last(topics::kHelmState), "DRIVE");
+}
+
+TEST_F(StockNavTest, WhileParkedBehaviorsStandToo) {
+  HelmApp::Params params;
+  params.domain = {"course:0:359:360", "speed:0:4:41"};
+  params.start_in_drive = false;
+  Make(params, "duration = 5\n runflag = RAN = yes\n endflag = ENDED = yes\n");
+  HearAll(10.0);
+  for (int tick = 0; tick < 10; ++tick)
+    Tick(1.0);
+  EXPECT_FALSE(Said("RAN"));
+  EXPECT_FALSE(Said("ENDED")) << "its time runs once it runs";
+  link_.Send(*app_, topics::kManualOverride, false);
+  HearAll(10.0);
+  Tick();
+  EXPECT_TRUE(Said("RAN"));
+  EXPECT_FALSE(Said("ENDED"));
+  link_.Send(*app_, topics::kManualOverride, true);
+  for (int tick = 0; tick < 10; ++tick)
+    Tick(1.0);
+  EXPECT_FALSE(Said("ENDED")) << "no flag is posted by a helm that is parked";
+  link_.Send(*app_, topics::kManualOverride, false);
+  HearAll(10.0);
+  Tick();
+  EXPECT_TRUE(Said("ENDED")) << "the time that it was parked counts, as in a stock helm";
 }
 
 TEST_F(StockNavTest, CannotBeParkedWhereTheMissionForbidsIt) {
