@@ -59,13 +59,14 @@ class Worth {
   double least_, free_;
 };
 
-/// Text mail of a variable that came after `began` and is newer than `last`, which then is its.
-const std::string* NewMail(const VehicleState& state, const char* variable, Seconds began,
-                           std::optional<Seconds>& last) {
-  const Stamped<limpet::Value>* heard = state.Heard(variable);
-  if (heard == nullptr || heard->time < began || last == heard->time) return nullptr;
-  last = heard->time;
-  return std::get_if<std::string>(&heard->value);
+/// Calls `take` with each text of a variable that came since the last iteration, and not before
+/// `began`.
+template <class Take>
+void ForEachText(const VehicleState& state, const char* variable, Seconds began, Take take) {
+  for (const Stamped<limpet::Value>& mail : state.Recent(variable)) {
+    const auto* text = std::get_if<std::string>(&mail.value);
+    if (text != nullptr && mail.time >= began) take(*text);
+  }
 }
 
 }  // namespace
@@ -111,23 +112,16 @@ bool BHV_AvoidObstacle::HasPassed(double range) {
   return has_passed;
 }
 
-bool BHV_AvoidObstacle::IsResolved(const VehicleState& state) const {
-  const Stamped<limpet::Value>* heard = state.Heard("OBM_RESOLVED");
-  const auto* text = heard == nullptr ? nullptr : std::get_if<std::string>(&heard->value);
-  return text != nullptr && !params_.id.empty() && *text == params_.id &&
-         heard->time >= *passage_.began;
-}
-
 void BHV_AvoidObstacle::HearManager(const VehicleState& state, ActList& acts) {
   const Seconds began = passage_.began.value_or(state.now);
   passage_.began = began;
-  if (const auto* id = NewMail(state, "OBM_RESOLVED", began, passage_.resolved_at)) {
-    acts.Post("NOTED_RESOLVED", *id);
-  }
+  ForEachText(state, "OBM_RESOLVED", began, [&](const std::string& id) {
+    acts.Post("NOTED_RESOLVED", id);
+    if (!params_.id.empty() && id == params_.id) passage_.is_resolved = true;
+  });
   if (!params_.can_be_silenced) return;
-  if (const auto* text = NewMail(state, "BHV_ABLE_FILTER", began, passage_.filtered_at)) {
-    HearFilter(*text);
-  }
+  ForEachText(state, "BHV_ABLE_FILTER", began,
+              [this](const std::string& text) { HearFilter(text); });
 }
 
 void BHV_AvoidObstacle::HearFilter(std::string_view text) {
@@ -162,7 +156,7 @@ bool BHV_AvoidObstacle::Watch(const VehicleState& state, ActList& acts) {
   if (has_passed && range < params_.outer()) acts.Raise(params_.approach_flags, *this, state);
   const bool is_near = range <= params_.end();
   passage_.was_near = passage_.was_near || is_near;
-  return IsResolved(state) || passage_.is_expunged || (passage_.was_near && !is_near);
+  return passage_.is_resolved || passage_.is_expunged || (passage_.was_near && !is_near);
 }
 
 double BHV_AvoidObstacle::Nearness(double range) const {
@@ -175,23 +169,20 @@ double BHV_AvoidObstacle::Off(const VehicleState& state, double course) const {
   return WrapAngle(BearingTo(state.place(), params_.polygon->Center()) - course);
 }
 
-/// Two sides that are worth the same must not take turns: it is settled when near, and open again
-/// once well off.
-void BHV_AvoidObstacle::KeepSide(const VehicleState& state) {
+/// Two sides that are worth the same must not take turns: it is settled once the obstacle matters,
+/// and open again when it does no more.
+void BHV_AvoidObstacle::KeepSide(const VehicleState& state, double relevance) {
   using Side = Passage::Side;
-  constexpr double kSettled = 0.6, kOff = 0.1;  // of nearness, as MOOS-IvP has it
-  const double nearness = Nearness(Range(state));
-  if (nearness < kOff) passage_.side = Side::kOpen;
-  if (nearness <= kSettled || passage_.side != Side::kOpen) return;
+  constexpr double kSettled = 0.6, kOff = 0.1;  // as MOOS-IvP has it
+  if (relevance < kOff) passage_.side = Side::kOpen;
+  if (relevance <= kSettled || passage_.side != Side::kOpen) return;
   passage_.side = Off(state, state.nav.yaw) > 0.0 ? Side::kStarboard : Side::kPort;
 }
 
-/// True for a course past the obstacle on its other side.
+/// True for a course that has the obstacle on the other side.
 bool BHV_AvoidObstacle::ChangesSide(const VehicleState& state, double course) const {
-  constexpr double kAhead = 0.5 * std::numbers::pi;
-  const double off = Off(state, course);
-  if (passage_.side == Passage::Side::kOpen || std::abs(off) > kAhead) return false;
-  return (off > 0.0) != (passage_.side == Passage::Side::kStarboard);
+  if (passage_.side == Passage::Side::kOpen) return false;
+  return (Off(state, course) > 0.0) != (passage_.side == Passage::Side::kStarboard);
 }
 
 double BHV_AvoidObstacle::Relevance(const VehicleState& state) const {
@@ -215,20 +206,23 @@ void BHV_AvoidObstacle::FillTable(const VehicleState& state, double relevance) {
     return;
   }
   const Worth worth(params_.least(), params_.free(), Range(state));
+  constexpr double kLater = 0.25;  // of the way to 1, if it comes near only after the allowed time
   const bool has_speed = table_->Covers(MotionVariable::kSpeed);
   std::optional<RayApproach> way;
-  constexpr double kOtherSide = 0.5;
-  double course = 0.0, whole = 0.0, share = 1.0;
+  bool is_other_side = false;
+  double course = 0.0, whole = 0.0;
   table_->Fill([&](const MotionPoint& point) {
     if (!way || point.course != course) {  // speeds run faster than courses
       course = point.course;
       way.emplace(polygon, at, course);
       whole = worth.Of(way->distance());
-      share = ChangesSide(state, course) ? kOtherSide : 1.0;
+      is_other_side = ChangesSide(state, course);
     }
+    if (is_other_side) return 1.0 - relevance;
     const double speed = has_speed ? point.speed : state.speed();
     const double soon = worth.Of(way->Within(speed * params_.allowable_time.value()));
-    return 1.0 - relevance * (1.0 - share * 0.5 * (whole + soon));
+    const double value = whole + (1.0 - whole) * kLater * soon;
+    return 1.0 - relevance * (1.0 - value);
   });
 }
 
@@ -241,7 +235,8 @@ MotionBid BHV_AvoidObstacle::Move(const VehicleState& state) {
     bid.acts = acts.Take();
     return bid;
   }
-  KeepSide(state);
+  const double relevance = Relevance(state);
+  KeepSide(state, relevance);
   const bool is_inside = params_.polygon->Contains(state.place());
   if (Watch(state, acts)) {
     acts.Complete();
@@ -249,7 +244,7 @@ MotionBid BHV_AvoidObstacle::Move(const VehicleState& state) {
     Draw(false, acts);
   } else if (params_.stops_inside && is_inside) {
     acts.Halt("it is inside the obstacle");
-  } else if (const double relevance = Relevance(state); relevance > 0.0 && table_) {
+  } else if (relevance > 0.0 && table_) {
     if (is_inside) acts.Post("BHV_WARNING", name() + ": it is inside the obstacle");
     FillTable(state, relevance);
     bid.table = &*table_;

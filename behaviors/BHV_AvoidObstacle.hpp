@@ -60,8 +60,8 @@ class BHV_AvoidObstacle final : public Behavior {
     std::optional<Seconds> began;
     std::optional<double> nearest_ever;  ///< [m]
     double extreme = 0.0;                ///< nearest while it closes, farthest while it opens [m]
-    std::optional<Seconds> resolved_at, filtered_at;  ///< of the mail that was heard last
     bool is_closing = false;
+    bool is_resolved = false;                       ///< so pObstacleMgr says
     bool is_silenced = false, is_expunged = false;  ///< by BHV_ABLE_FILTER
     bool was_near = false;                          ///< within the distance at which it ends
     double reported = 0.0;                          ///< of the last approach, for its flags [m]
@@ -74,12 +74,11 @@ class BHV_AvoidObstacle final : public Behavior {
   [[nodiscard]] double Nearness(double range) const;
   /// Bearing of the obstacle's middle from the bow, to starboard [rad].
   [[nodiscard]] double Off(const VehicleState& state, double course) const;
-  void KeepSide(const VehicleState& state);
+  void KeepSide(const VehicleState& state, double relevance);
   [[nodiscard]] bool ChangesSide(const VehicleState& state, double course) const;
   /// Flags of range and approach; true if the obstacle is of no more concern.
   [[nodiscard]] bool Watch(const VehicleState& state, ActList& acts);
   [[nodiscard]] bool HasPassed(double range);
-  [[nodiscard]] bool IsResolved(const VehicleState& state) const;
   /// What pObstacleMgr says of obstacles since this one is guarded.
   void HearManager(const VehicleState& state, ActList& acts);
   /// `action=disable,obstacle_id=7` and the like: silences it, or gives it its say again.

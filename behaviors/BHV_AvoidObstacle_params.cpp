@@ -60,8 +60,11 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
   visit.Also({"polygon"});
   visit("id", id, "Of the obstacle, as OBM_RESOLVED names it");
   visit.Also({"obid"});
-  visit("allowable_ttc", allowable_time, "What comes later than this counts half, at each speed",
-        InRange(Seconds(0.0), Seconds(1e5)));
+  visit(
+      "allowable_ttc", allowable_time,
+      "Courses that come near later than this, at each speed, are a quarter better than those that "
+      "do sooner",
+      InRange(Seconds(0.0), Seconds(1e5)));
   DescribeDistance(visit, "min_util_cpa_dist", "m, at most max_util_cpa_dist",
                    "A way that comes this near is worth nothing; else 8 m",
                    {.value = &least_approach, .high = {&free_approach}});

@@ -28,7 +28,7 @@ MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
   const double flat = params_.peakwidth.value();
   const double depth = std::max(params_.depth.value(), 0.0);
   ActList acts;
-  acts.Post(params_.mismatch_variable, std::abs(state.nav.down - depth));
+  TellMismatch(state, acts);
   MotionBid bid;
   bid.depth = Peak{.summit = depth,
                    .flat_half_width = flat,
@@ -36,6 +36,18 @@ MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
                    .edge_value = EdgeValue(params_.summit_delta)};
   bid.acts = acts.Take();
   return bid;
+}
+
+/// Also while it is idle: a mode may hang on it.
+void BHV_ConstantDepth::TellMismatch(const VehicleState& state, ActList& acts) const {
+  acts.Post(params_.mismatch_variable,
+            std::abs(state.nav.down - std::max(params_.depth.value(), 0.0)));
+}
+
+std::vector<BehaviorAct> BHV_ConstantDepth::Idle(const VehicleState& state) {
+  ActList acts;
+  TellMismatch(state, acts);
+  return acts.Take();
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_ConstantDepth);

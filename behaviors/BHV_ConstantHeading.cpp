@@ -36,11 +36,10 @@ void BHV_ConstantHeading::Params::Describe(ParamCollector& visit) {
 }
 
 MotionBid BHV_ConstantHeading::Move(const VehicleState& state) {
-  const double off = std::abs(WrapAngle(state.nav.yaw - params_.heading.value()));
   ActList acts;
-  acts.Post(params_.mismatch_variable, DegreesFromRadians(off));
+  TellMismatch(state, acts);
   MotionBid bid;
-  if (off < params_.complete_threshold.value()) {
+  if (Off(state) < params_.complete_threshold.value()) {
     acts.Complete();
   } else {
     const double flat = params_.peakwidth.value();
@@ -51,6 +50,21 @@ MotionBid BHV_ConstantHeading::Move(const VehicleState& state) {
   }
   bid.acts = acts.Take();
   return bid;
+}
+
+double BHV_ConstantHeading::Off(const VehicleState& state) const {
+  return std::abs(WrapAngle(state.nav.yaw - params_.heading.value()));
+}
+
+/// Also while it is idle: a mode may hang on it.
+void BHV_ConstantHeading::TellMismatch(const VehicleState& state, ActList& acts) const {
+  acts.Post(params_.mismatch_variable, DegreesFromRadians(Off(state)));
+}
+
+std::vector<BehaviorAct> BHV_ConstantHeading::Idle(const VehicleState& state) {
+  ActList acts;
+  TellMismatch(state, acts);
+  return acts.Take();
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_ConstantHeading);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "limpet/core/params.hpp"
+#include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
 
 namespace limpet {
@@ -23,8 +25,13 @@ class BHV_ConstantHeading final : public Behavior {
   };
   explicit BHV_ConstantHeading(const Params& params) : params_(params) {}
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
+  [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override;
 
  private:
+  /// How far the vehicle is off its heading [rad].
+  [[nodiscard]] double Off(const VehicleState& state) const;
+  void TellMismatch(const VehicleState& state, ActList& acts) const;
+
   Params params_;
 };
 

@@ -26,7 +26,7 @@ void BHV_ConstantSpeed::Params::Describe(ParamCollector& visit) {
 MotionBid BHV_ConstantSpeed::Move(const VehicleState& state) {
   const double flat = params_.peakwidth.value();
   ActList acts;
-  acts.Post(params_.mismatch_variable, std::abs(state.speed() - params_.speed.value()));
+  TellMismatch(state, acts);
   MotionBid bid;
   bid.speed = Peak{.summit = params_.speed.value(),
                    .flat_half_width = flat,
@@ -34,6 +34,17 @@ MotionBid BHV_ConstantSpeed::Move(const VehicleState& state) {
                    .edge_value = EdgeValue(params_.summit_delta)};
   bid.acts = acts.Take();
   return bid;
+}
+
+/// Also while it is idle: a mode may hang on it.
+void BHV_ConstantSpeed::TellMismatch(const VehicleState& state, ActList& acts) const {
+  acts.Post(params_.mismatch_variable, std::abs(state.speed() - params_.speed.value()));
+}
+
+std::vector<BehaviorAct> BHV_ConstantSpeed::Idle(const VehicleState& state) {
+  ActList acts;
+  TellMismatch(state, acts);
+  return acts.Take();
 }
 
 LIMPET_REGISTER_BEHAVIOR(BHV_ConstantSpeed);

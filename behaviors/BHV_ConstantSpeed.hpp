@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "limpet/core/params.hpp"
+#include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
 
 namespace limpet {
@@ -21,8 +23,11 @@ class BHV_ConstantSpeed final : public Behavior {
   };
   explicit BHV_ConstantSpeed(const Params& params) : params_(params) {}
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
+  [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override;
 
  private:
+  void TellMismatch(const VehicleState& state, ActList& acts) const;
+
   Params params_;
 };
 

@@ -155,8 +155,7 @@ MapPoint BHV_LegRun::SteeringPoint(const MapPoint& at) const {
     const std::size_t index = run_.turn.index();
     return index == 0 ? next : LeadPoint({run_.turn.points()[index - 1], next}, at, params_.lead);
   }
-  // Onto the leg from wherever the first one begins.
-  return run_.legs_done == 0 ? next : LeadPoint({plan_.end(1 - end()), next}, at, params_.lead);
+  return LeadPoint({plan_.end(1 - end()), next}, at, params_.lead);
 }
 
 MotionBid BHV_LegRun::Move(const VehicleState& state) {
@@ -173,15 +172,12 @@ MotionBid BHV_LegRun::Move(const VehicleState& state) {
   Draw(state, true, acts);
   const double speed = run_.speed.value_or(params_.speed.value());
   acts.Post("LR_NOW_SPD", speed);
-  constexpr double kSpeedSkirt = 0.4;  // [m/s] besides the speed itself
+  const double course_share = params_.patience / 100.0;
   bid.course = Peak{.summit = BearingTo(state.place(), SteeringPoint(state.place())),
                     .flat_half_width = 0.0,
                     .base_half_width = std::numbers::pi,
-                    .share = kCoupledShare};
-  bid.speed = Peak{.summit = speed,
-                   .flat_half_width = 0.0,
-                   .base_half_width = speed + kSpeedSkirt,
-                   .share = kCoupledShare};
+                    .share = course_share};
+  bid.table = uneven_speed_.Around({.speed = speed, .share = 1.0 - course_share}, state.domain);
   bid.acts = acts.Take();
   return bid;
 }
@@ -266,7 +262,8 @@ std::optional<std::string> BHV_LegRun::Macro(std::string_view name,
   if (name == "NY") return MacroNumber(next.y);
   if (name == "DIST_NP") return MacroNumber(DistanceBetween(at, next));
   if (name == "DIST_PP") return MacroNumber(DistanceBetween(at, run_.legs.previous().value_or(at)));
-  if (name == "PCT_NP") return MacroNumber(Share(at));
+  constexpr double kHundred = 100.0;
+  if (name == "PCT_NP") return MacroNumber(Share(at) / kHundred);
   return std::nullopt;
 }
 

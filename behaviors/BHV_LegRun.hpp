@@ -9,6 +9,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/uneven_speed.hpp"
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/lead_point.hpp"
 #include "limpet/waypoints/leg_plan.hpp"
@@ -30,6 +31,7 @@ class BHV_LegRun final : public Behavior {
   struct Params {
     std::vector<Edit> edits{};
     CaptureRule capture{};
+    double patience = 50.0;
     LeadRule lead{};
     std::optional<int> repeats = 0;  ///< absent: for ever
     MetersPerSecond speed{0.0};
@@ -97,6 +99,7 @@ class BHV_LegRun final : public Behavior {
   LegPlan plan_;
   Run run_;
   TrackCrossings crossings_;  ///< since the last turn
+  UnevenSpeed uneven_speed_;
 };
 
 }  // namespace limpet

@@ -274,8 +274,9 @@ void BHV_LegRun::Params::Describe(ParamCollector& visit) {
   DescribeLegSpeeds(visit, *this);
   DescribeLegFlags(visit, *this);
   DescribeHints(visit, hints);
-  visit.WithoutEffect({"patience", "id", "lane", "adjust_turn", "warn_overshoot", "legflag",
-                       "leg_length_min", "wpt_status_var"});
+  DescribePatience(visit, patience);
+  visit.WithoutEffect({"id", "lane", "adjust_turn", "warn_overshoot", "legflag", "leg_length_min",
+                       "wpt_status_var"});
 }
 
 }  // namespace limpet

@@ -119,13 +119,28 @@ void BHV_Loiter::Start(const VehicleState& state) {
     rounds_.polygon->MoveTo(state.place());
   }
   const MapPose vehicle = PoseOf(state);
-  if (params_.clockwise == "best" && !rounds_.polygon->Contains(vehicle.at)) {
+  // The best way round is looked for as it wakes up, not as the helm begins with it.
+  if (params_.clockwise == "best" && rounds_.has_been_idle &&
+      !rounds_.polygon->Contains(vehicle.at)) {
     rounds_.is_clockwise = IsClockwiseBest(*rounds_.polygon, vehicle);
   }
   LayCorners();
   Enter(vehicle);
   rounds_.last_bearing.reset();
   rounds_.swept = 0.0;
+}
+
+void BHV_Loiter::BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid) {
+  constexpr double kSkirt = 0.3;       // [m/s]
+  constexpr double kSlowValue = 0.85;  // of zaic_spd, at 0.1 m/s
+  const double share = 1.0 - params_.patience / 100.0;
+  if (params_.prefers_slower) {
+    bid.table = uneven_speed_.Around({.speed = speed, .slow_value = kSlowValue, .share = share},
+                                     state.domain);
+  } else {
+    bid.speed =
+        Peak{.summit = speed, .flat_half_width = 0.0, .base_half_width = kSkirt, .share = share};
+  }
 }
 
 void BHV_Loiter::SetMode(double outside) {
@@ -191,15 +206,11 @@ MotionBid BHV_Loiter::Move(const VehicleState& state) {
   if (is_done) acts.Complete("slingshot");
   const double speed = params_.uses_alt_speed && params_.speed_alt ? params_.speed_alt->value()
                                                                    : params_.speed.value();
-  constexpr double kSpeedSkirt = 0.3;  // [m/s]
   bid.course = Peak{.summit = BearingTo(vehicle.at, next),
                     .flat_half_width = 0.0,
                     .base_half_width = std::numbers::pi,
                     .share = params_.patience / 100.0};
-  bid.speed = Peak{.summit = speed,
-                   .flat_half_width = 0.0,
-                   .base_half_width = kSpeedSkirt,
-                   .share = 1.0 - params_.patience / 100.0};
+  BidOnSpeed(speed, state, bid);
   bid.acts = acts.Take();
   return bid;
 }
@@ -217,7 +228,10 @@ std::vector<BehaviorAct> BHV_Loiter::Ended(const VehicleState& state) {
 
 std::vector<BehaviorAct> BHV_Loiter::Stop(const VehicleState& state) { return Ended(state); }
 
-std::vector<BehaviorAct> BHV_Loiter::Idle(const VehicleState& state) { return Ended(state); }
+std::vector<BehaviorAct> BHV_Loiter::Idle(const VehicleState& state) {
+  rounds_.has_been_idle = true;
+  return Ended(state);
+}
 
 void BHV_Loiter::PostStatus(const VehicleState& state, ActList& acts) const {
   const WaypointProgress& progress = rounds_.progress;
@@ -244,11 +258,11 @@ void BHV_Loiter::Draw(const VehicleState& state, bool is_active, ActList& acts) 
 std::optional<std::string> BHV_Loiter::Macro(std::string_view macro, const VehicleState&) const {
   if (!rounds_.polygon) return std::nullopt;
   const MapPoint center = rounds_.polygon->Center();
-  if (macro == "PTS") return PointsText(rounds_.polygon->corners());
+  if (macro == "PTS") return MacroNumber(static_cast<double>(rounds_.polygon->corners().size()));
   if (macro == "CX") return MacroNumber(center.x);
   if (macro == "CY") return MacroNumber(center.y);
   if (macro == "CENTER") return "x=" + MacroNumber(center.x) + ",y=" + MacroNumber(center.y);
-  if (macro == "CWISE") return rounds_.is_clockwise ? "true" : "false";
+  if (macro == "CWISE") return rounds_.is_clockwise ? "1" : "0";
   if (macro == "RAD") return MacroNumber(rounds_.polygon->Radius());
   return std::nullopt;
 }

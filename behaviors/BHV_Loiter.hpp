@@ -8,6 +8,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/uneven_speed.hpp"
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/convex_polygon.hpp"
 #include "limpet/waypoints/polygon_entry.hpp"
@@ -34,6 +35,7 @@ class BHV_Loiter final : public Behavior {
     double slingshot_deg = -1.0;  ///< completes after so much of a round; below 0: never
     double spiral_factor = 100.0;
     double patience = 50.0;
+    bool prefers_slower = false;  ///< of speeds: `ipf_type = zaic_spd`
     std::string suffix{};
     VisualHints hints{};
     void Describe(ParamCollector& visit);
@@ -61,11 +63,13 @@ class BHV_Loiter final : public Behavior {
     std::optional<double> last_bearing;
     double swept = 0.0;              ///< angle round the center [rad]
     bool is_completion_due = false;  ///< it has completed, and is to say so
+    bool has_been_idle = false;
   };
 
   void AssignCenter(const std::vector<std::string>& keys);
   void MoveCenter(const MapPoint& center);
   void LayCorners();
+  void BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid);
   void SetMode(double outside);
   void Enter(const MapPose& vehicle);
   /// Counts the angle that it has come round, and tells it; true if that is as much as asked.
@@ -78,6 +82,7 @@ class BHV_Loiter final : public Behavior {
 
   Params params_;
   Rounds rounds_;
+  UnevenSpeed uneven_speed_;
 };
 
 }  // namespace limpet

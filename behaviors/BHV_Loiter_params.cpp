@@ -104,7 +104,13 @@ void BHV_Loiter::Params::Describe(ParamCollector& visit) {
                [this](std::string_view text) { return ReadSuffix(text, *this); });
   DescribeHints(visit, hints);
   DescribePatience(visit, patience);
-  visit.WithoutEffect({"ipf_type", "ipf-type"});
+  visit.Parsed("ipf_type", "text",
+               "zaic_spd: rather slower than faster; other words: as fast as told", "zaic",
+               [this](std::string_view text) {
+                 prefers_slower = EqualsIgnoringCase(text, "zaic_spd");
+                 return true;
+               });
+  visit.Also({"ipf-type"});
 }
 
 }  // namespace limpet

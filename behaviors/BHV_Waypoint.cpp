@@ -132,6 +132,51 @@ double BHV_Waypoint::Speed(const MapPoint& at) const {
   return *left <= params_.stop_distance ? 0.0 : cruise * (*left - params_.stop_distance) / range;
 }
 
+/// The way to go, and a fifth as much for the present course: where another behavior makes two ways
+/// as good, it does not go to and fro between them. MOOS-IvP's helm scales what both come to
+/// together, from the worst course to the best, to the course's share.
+void BHV_Waypoint::BidOnCourse(double bearing, const VehicleState& state, MotionBid& bid) const {
+  constexpr double kPresent = 0.2;
+  const Peak present{.summit = state.nav.yaw,
+                     .flat_half_width = std::numbers::pi / 6.0,
+                     .base_half_width = std::numbers::pi * 7.0 / 6.0,
+                     .edge_value = 0.75};
+  const double off = std::abs(WrapAngle(bearing - state.nav.yaw));
+  const double best = 1.0 + kPresent * PeakValue(present, off);
+  const double worst = kPresent * PeakValue(present, std::numbers::pi - off);
+  const double share = params_.patience / 100.0 / (best - worst);
+  bid.course = Peak{.summit = bearing,
+                    .flat_half_width = 0.0,
+                    .base_half_width = std::numbers::pi,
+                    .share = share};
+  bid.present_course = present;
+  bid.present_course->share = kPresent * share;
+}
+
+/// As much to say between the domain's best and worst speed as its share is, as MOOS-IvP has it:
+/// a narrow domain makes it no less sure.
+void BHV_Waypoint::BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid) {
+  const double share = 1.0 - params_.patience / 100.0;
+  if (params_.function_kind == "zaic_spd") {
+    bid.table = uneven_speed_.Around({.speed = speed, .share = share}, state.domain);
+    return;
+  }
+  constexpr double kSkirt = 1.6;  // [m/s] besides half the speed
+  constexpr double kEdge = 0.8;   // left of the preference at half the speed
+  Peak peak{.summit = speed,
+            .flat_half_width = 0.5 * speed,
+            .base_half_width = 0.5 * speed + kSkirt,
+            .edge_value = kEdge,
+            .share = share};
+  if (const auto& axis = state.domain.speed) {
+    const double best = PeakValue(peak, std::clamp(speed, axis->low, axis->high) - speed);
+    const double worst =
+        std::min(PeakValue(peak, axis->low - speed), PeakValue(peak, axis->high - speed));
+    if (best > worst) peak.share = share / (best - worst);
+  }
+  bid.speed = peak;
+}
+
 MotionBid BHV_Waypoint::Move(const VehicleState& state) {
   TakeStart(state);
   WaypointProgress& progress = travel_.progress;
@@ -156,19 +201,8 @@ MotionBid BHV_Waypoint::Move(const VehicleState& state) {
     PostStatus(state, acts);
     const MapPoint steering = SteeringPoint(state);
     acts.Draw(Drawing(state).Draw(progress.points(), progress.next(), steering));
-    const double speed = Speed(at);
-    constexpr double kSpeedSkirt = 1.6;  // [m/s] besides half the speed
-    constexpr double kSpeedEdge = 0.8;   // left of the preference at half the speed
-    const double course_share = params_.patience / 100.0;
-    bid.course = Peak{.summit = BearingTo(at, steering),
-                      .flat_half_width = 0.0,
-                      .base_half_width = std::numbers::pi,
-                      .share = course_share};
-    bid.speed = Peak{.summit = speed,
-                     .flat_half_width = 0.5 * speed,
-                     .base_half_width = 0.5 * speed + kSpeedSkirt,
-                     .edge_value = kSpeedEdge,
-                     .share = 1.0 - course_share};
+    BidOnCourse(BearingTo(at, steering), state, bid);
+    BidOnSpeed(Speed(at), state, bid);
   }
   bid.acts = acts.Take();
   return bid;
@@ -245,13 +279,13 @@ std::optional<std::string> BHV_Waypoint::Macro(std::string_view name,
                                                const VehicleState& state) const {
   const WaypointProgress& progress = travel_.progress;
   const auto count = [](auto number) { return fmt::format("{}", number); };
-  if (name == "POINTS") return PointsText(progress.points());
+  if (name == "POINTS") return "pts={" + PointsText(progress.points()) + "}";
   if (name == "SPEED") return MacroNumber(params_.speed.value());
   if (name == "SPEED_ALT")
     return MacroNumber(params_.speed_alt.value_or(MetersPerSecond(-1.0)).value());
-  if (name == "USE_SPEED_ALT") return params_.uses_alt_speed ? "true" : "false";
-  if (name == "WPT_FLAG_ON_START") return params_.has_flags_on_start ? "true" : "false";
-  if (name == "LEAD_TO_START") return params_.leads_to_start ? "true" : "false";
+  if (name == "USE_SPEED_ALT") return params_.uses_alt_speed ? "1" : "0";
+  if (name == "WPT_FLAG_ON_START") return params_.has_flags_on_start ? "1" : "0";
+  if (name == "LEAD_TO_START") return params_.leads_to_start ? "1" : "0";
   if (name == "IPF_TYPE") return params_.function_kind;
   if (name == "LEAD_DAMPER") return MacroNumber(params_.lead.damper);
   if (name == "ORDER") return travel_.is_reversed ? "reverse" : "normal";

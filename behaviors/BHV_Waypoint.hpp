@@ -8,6 +8,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/uneven_speed.hpp"
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/lead_point.hpp"
 #include "limpet/waypoints/leg_odometer.hpp"
@@ -43,7 +44,7 @@ class BHV_Waypoint final : public Behavior {
     double slow_distance = 0.0, stop_distance = 0.0;  ///< of `end_spd` [m]; 0: off
     bool is_greedy = false, is_reset_on_idle = false;
     bool measures_efficiency = false;
-    std::string function_kind = "zaic";  ///< of MOOS-IvP's helm; only a macro says it here
+    std::string function_kind = "zaic";  ///< of MOOS-IvP's helm
     double patience = 50.0;
     VisualHints hints{};
     void Describe(ParamCollector& visit);
@@ -80,6 +81,8 @@ class BHV_Waypoint final : public Behavior {
   void TakeStart(const VehicleState& state);
   [[nodiscard]] MapPoint SteeringPoint(const VehicleState& state);
   [[nodiscard]] double Speed(const MapPoint& at) const;
+  void BidOnCourse(double bearing, const VehicleState& state, MotionBid& bid) const;
+  void BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid);
   void PostProgress(WaypointProgress::Step step, const VehicleState& state, ActList& acts);
   void PostStatus(const VehicleState& state, ActList& acts);
   /// Of the leg that has just ended, if it counts.
@@ -90,6 +93,7 @@ class BHV_Waypoint final : public Behavior {
 
   Params params_;
   Travel travel_;
+  UnevenSpeed uneven_speed_;
 };
 
 }  // namespace limpet

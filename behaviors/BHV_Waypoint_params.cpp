@@ -152,8 +152,8 @@ void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
   DescribeSpeed(visit, *this);
   DescribePosts(visit, *this);
   visit.Parsed("ipf_type", "text",
-               "zaic, zaic_spd, roc or rate_of_closure, functions of pHelmIvP; here only the macro "
-               "IPF_TYPE says it",
+               "What it prefers of speeds. zaic_spd: rather slower than faster; roc and "
+               "rate_of_closure, which pHelmIvP has, are as zaic here",
                "zaic", [this](std::string_view text) {
                  // Other words leave it alone, as there.
                  const std::string word = Lower(text);

@@ -73,7 +73,8 @@ void BHV_ZigZag::Travel(const VehicleState& state) {
 MapLeg BHV_ZigZag::Stem() const { return {run_.from, Project(run_.from, run_.stem, 1.0)}; }
 
 bool BHV_ZigZag::IsDone() const {
-  const bool is_flown = params_.legs > 0 && run_.legs >= params_.legs;
+  // The first, from the stem, is half a leg: MOOS-IvP flies one more than it counts.
+  const bool is_flown = params_.legs > 0 && run_.legs > params_.legs;
   const bool is_far =
       params_.longest_stem > 0.0 && std::abs(Stem().Along(run_.last)) >= params_.longest_stem;
   return is_flown || is_far;
@@ -137,15 +138,13 @@ MotionBid BHV_ZigZag::Move(const VehicleState& state) {
     acts.Complete();
   } else {
     Draw(state, true, acts);
-    constexpr double kSpeedSkirt = 0.4;  // [m/s] besides the speed itself
+    constexpr double kSlowValue = 0.85;
     bid.course = Peak{.summit = Steered(state.nav.yaw),
                       .flat_half_width = 0.0,
                       .base_half_width = std::numbers::pi,
                       .share = kCoupledShare};
-    bid.speed = Peak{.summit = run_.speed,
-                     .flat_half_width = 0.0,
-                     .base_half_width = run_.speed + kSpeedSkirt,
-                     .share = kCoupledShare};
+    bid.table = uneven_speed_.Around(
+        {.speed = run_.speed, .slow_value = kSlowValue, .share = kCoupledShare}, state.domain);
   }
   bid.acts = acts.Take();
   return bid;

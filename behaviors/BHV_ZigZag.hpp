@@ -8,6 +8,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/uneven_speed.hpp"
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 
@@ -75,6 +76,7 @@ class BHV_ZigZag final : public Behavior {
 
   Params params_;
   Run run_;
+  UnevenSpeed uneven_speed_;
 };
 
 }  // namespace limpet

@@ -40,7 +40,8 @@ void DescribeTurns(ParamCollector& visit, ZigZagParams& params) {
                  return true;
                });
   visit.Also({"delta_heading"});
-  visit("max_zig_legs", params.legs, "Complete after so many legs; 0: never",
+  visit("max_zig_legs", params.legs,
+        "Complete after so many legs and the half one from the stem; 0: never",
         InRange(0, 2'000'000));
   visit.Parsed("max_zig_zags", "a whole number from 1", "The same in pairs of legs", "",
                [&params](std::string_view text) { return ReadPairs(text, params); });

@@ -30,6 +30,8 @@ struct MotionBid {
   std::optional<Peak> course;
   std::optional<Peak> speed;
   std::optional<Peak> depth;
+  /// Added to `course`: a say for the present one, so that two ways as good do not take turns.
+  std::optional<Peak> present_course{};
   /// For what no peak can say, e.g. courses that are bad at one speed and good at another. The
   /// behavior's own, made in `Start` over `state.domain`; unchanged until its next `Move`.
   const MotionTable* table = nullptr;

@@ -142,7 +142,7 @@ std::vector<HelmPost> BehaviorHost::InitialPosts() const {
 }
 
 void BehaviorHost::SetVariable(const std::string& name, const Value& value, Seconds time) {
-  heard_.insert_or_assign(name, Stamped<Value>{time, value});
+  heard_[name].Hear({time, value});
   const auto* text = std::get_if<std::string>(&value);
   if (text != nullptr && !text->empty()) {
     Spawn(name, *text);
@@ -200,7 +200,7 @@ const Value* BehaviorHost::Find(std::string_view name) const {
     return mode;
   }
   const auto found = heard_.find(name);
-  return found == heard_.end() ? nullptr : &found->second.value;
+  return found == heard_.end() ? nullptr : &found->second.last().value;
 }
 
 std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
@@ -239,6 +239,9 @@ std::vector<HelmPost> BehaviorHost::Settle(const IterationOutcome& outcome,
                    is_active, turn);
     std::ranges::move(hosted->TakeFailures(), std::back_inserter(failures_));
     std::ranges::move(hosted->TakeLateCalls(), std::back_inserter(late_calls_));
+  }
+  for (auto& [name, heard] : heard_) {
+    heard.Settle();
   }
   RefreshStatuses();
   RemoveComplete();

@@ -149,9 +149,6 @@ bool HostedBehavior::IsStarved(const HelmTurn& turn) const {
 }
 
 bool HostedBehavior::IsOver(HelmTurn& turn) {
-  if (std::exchange(is_reset_due_, false)) {
-    clock_.Reset();
-  }
   clock_.Begin(turn.state.now);
   PostTimeLeft(turn);
   const std::optional<Seconds> left = clock_.Remaining(turn.state.now);
@@ -159,8 +156,10 @@ bool HostedBehavior::IsOver(HelmTurn& turn) {
     return false;
   }
   Complete("completed-byduration", turn);
-  is_reset_due_ = !is_complete();
-  return is_complete();
+  if (is_complete()) return true;
+  clock_.Reset();  // a perpetual one's next time runs from here, also while it is idle
+  clock_.Begin(turn.state.now);
+  return false;
 }
 
 void HostedBehavior::Begin(HelmTurn& turn) {

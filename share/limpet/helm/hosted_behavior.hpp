@@ -125,7 +125,6 @@ class HostedBehavior {
   bool begins_to_run_ = false;  ///< in this iteration
   bool needs_start_ = false;    ///< an update has made it anew, or its start has failed
   bool is_active_ = false;      ///< had a say in the last iteration
-  bool is_reset_due_ = false;   ///< its duration was used up, and it lives on
   bool are_spawn_flags_due_ = true, are_config_flags_due_ = true, are_spawnx_flags_due_ = true;
   std::optional<std::string> spawn_base_;
   std::string last_update_, complaint_, reason_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -63,6 +64,7 @@ class IndexedBid {
       if (!peak && is_joined) values_[v].assign(static_cast<std::size_t>(axis->points), 0.0);
       is_joined_[v] = is_joined;
     }
+    if (bid.present_course && domain.course) AddOn(*bid.present_course, *domain.course);
   }
   /// Of the behavior's weight, that all its preferences have together.
   [[nodiscard]] double shares() const { return shares_; }
@@ -87,6 +89,14 @@ class IndexedBid {
   }
 
  private:
+  void AddOn(const Peak& present, const MotionAxis& axis) {
+    const std::vector<double> more = ValuesOf(present, axis, MotionVariable::kCourse);
+    std::vector<double>& values = values_[IndexOf(MotionVariable::kCourse)];
+    values.resize(more.size());
+    std::ranges::transform(values, more, values.begin(), std::plus());
+    shares_ += present.share;
+  }
+
   const MotionTable* table_;
   std::array<std::vector<double>, 3> values_;  ///< of peaks; empty: not about that variable
   std::array<bool, 3> is_joined_{};

@@ -30,9 +30,11 @@ std::optional<std::string> ProblemOf(const Peak& peak, MotionVariable variable) 
     return fmt::format("a base of {:g} under a flat top of {:g} in its bid on {}",
                        peak.base_half_width, peak.flat_half_width, NameOf(variable));
   }
-  const auto is_share = [](double value) { return value >= 0.0 && value <= 1.0; };
-  if (!is_share(peak.edge_value) || !is_share(peak.share)) {
-    return fmt::format("a share beyond 0 to 1 in its bid on {}", NameOf(variable));
+  if (!(peak.edge_value >= 0.0 && peak.edge_value <= 1.0)) {
+    return fmt::format("an edge beyond 0 to 1 in its bid on {}", NameOf(variable));
+  }
+  if (!(peak.share >= 0.0 && std::isfinite(peak.share))) {
+    return fmt::format("a share of {:g} in its bid on {}", peak.share, NameOf(variable));
   }
   return std::nullopt;
 }
@@ -43,6 +45,9 @@ std::optional<std::string> ProblemOf(const MotionBid& bid, const MotionDomain& d
     if (const std::optional<Peak>& peak = PeakOf(bid, variable)) {
       if (auto problem = ProblemOf(*peak, variable)) return problem;
     }
+  }
+  if (bid.present_course) {
+    if (auto problem = ProblemOf(*bid.present_course, MotionVariable::kCourse)) return problem;
   }
   if (bid.turn_rate && !std::isfinite(*bid.turn_rate)) return "NaN or infinity in its turn rate";
   if (bid.table == nullptr) return std::nullopt;
@@ -168,6 +173,10 @@ void MotionArbiter::Add(const OwnedMotionBid& owned) {
     if (peak && domain_.axis(variable)) {
       peaks_.at(IndexOf(variable)).push_back({*peak, owned.weight * peak->share});
     }
+  }
+  if (const std::optional<Peak>& present = owned.bid.present_course; present && domain_.course) {
+    peaks_.at(IndexOf(MotionVariable::kCourse))
+        .push_back({*present, owned.weight * present->share});
   }
   if (owned.bid.table != nullptr) tables_.push_back({owned.bid.table, owned.weight});
 }

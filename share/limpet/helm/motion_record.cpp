@@ -23,8 +23,8 @@ double DistanceBetween(double a, double b, MotionVariable variable) {
   return variable == MotionVariable::kCourse ? std::abs(WrapAngle(a - b)) : std::abs(a - b);
 }
 
-MotionOpinion OpinionOf(const OwnedMotionBid& owned, MotionVariable variable, double chosen) {
-  const Peak& peak = *PeakOn(variable, owned.bid);
+MotionOpinion OpinionOf(const OwnedMotionBid& owned, const Peak& peak, MotionVariable variable,
+                        double chosen) {
   const bool is_course = variable == MotionVariable::kCourse;
   const double unit = is_course ? 180.0 / std::numbers::pi : 1.0;
   return {.behavior = owned.owner,
@@ -79,9 +79,12 @@ HelmMotion RecordOf(const MotionArbiter& arbiter, const MotionDecision& decision
   for (const OwnedMotionBid& owned : arbiter.bids()) {
     for (const MotionVariable variable : kMotionVariables) {
       const std::optional<double>& chosen = decision.value(variable);
-      if (PeakOn(variable, owned.bid) && chosen) {
-        motion.opinions.push_back(OpinionOf(owned, variable, *chosen));
-      }
+      const std::optional<Peak>& peak = PeakOn(variable, owned.bid);
+      if (peak && chosen) motion.opinions.push_back(OpinionOf(owned, *peak, variable, *chosen));
+    }
+    if (owned.bid.present_course && decision.course) {
+      motion.opinions.push_back(
+          OpinionOf(owned, *owned.bid.present_course, MotionVariable::kCourse, *decision.course));
     }
     if (owned.bid.table != nullptr) {
       motion.opinions.push_back(OpinionOf(owned, decision));

@@ -69,18 +69,6 @@ class PointSearch {
     }
     return best;
   }
-  /// The value in the middle of two points, if these are the best and it is at least as good.
-  [[nodiscard]] std::optional<double> Middle(double best_sum) const {
-    const double value = MaximizeOverInterval(peaks_, axis_.low, axis_.high);
-    const double steps = (value - axis_.low) / axis_.step();
-    const double below = std::floor(steps);
-    constexpr double kRounding = 1e-9;  // 1.3 is in the middle of 1.2 and 1.4 for a computer, too
-    if (std::abs(steps - below - 0.5) >= kRounding) return std::nullopt;
-    const int point = static_cast<int>(below);
-    const double least =
-        std::min({SumAt(value), SumAt(axis_.At(point)), SumAt(axis_.At(point + 1))});
-    return least >= best_sum - kLevel ? std::optional(value) : std::nullopt;
-  }
 
  private:
   std::span<const WeightedPeak> peaks_;
@@ -109,10 +97,8 @@ Peak StandingAtPoints(const Peak& peak, const MotionAxis& axis, MotionVariable v
 double MaximizeOverPoints(std::span<const WeightedPeak> peaks, const MotionAxis& axis,
                           MotionVariable variable) {
   LIMPET_REQUIRE(!peaks.empty(), "a decision needs a preference");
-  const PointSearch search(peaks, axis, variable);
-  const double best = search.Best();
-  if (variable == MotionVariable::kCourse) return WrapAngle(best);
-  return search.Middle(search.SumAt(best)).value_or(best);
+  const double best = PointSearch(peaks, axis, variable).Best();
+  return variable == MotionVariable::kCourse ? WrapAngle(best) : best;
 }
 
 }  // namespace limpet

@@ -4,14 +4,15 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "limpet/core/message.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/helm/heard_variable.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/objective.hpp"
@@ -36,9 +37,6 @@ struct Guidance {
   std::string purpose{};     ///< source of the option that the path was, e.g. home
 };
 
-/// Variables by name with their last value and its time.
-using HeardValues = std::map<std::string, Stamped<Value>, std::less<>>;
-
 /// For "how now".
 struct VehicleState {
   Seconds now;
@@ -55,7 +53,14 @@ struct VehicleState {
   [[nodiscard]] const Stamped<Value>* Heard(std::string_view name) const {
     if (heard == nullptr) return nullptr;
     const auto found = heard->find(name);
-    return found == heard->end() ? nullptr : &found->second;
+    return found == heard->end() ? nullptr : &found->second.last();
+  }
+  /// Each mail of it since the last iteration, oldest first.
+  [[nodiscard]] std::span<const Stamped<Value>> Recent(std::string_view name) const {
+    if (heard == nullptr) return {};
+    const auto found = heard->find(name);
+    if (found == heard->end()) return {};
+    return found->second.recent();
   }
   /// On the viewer's map.
   [[nodiscard]] MapPoint place() const { return MapPointOf(nav.north, nav.east); }

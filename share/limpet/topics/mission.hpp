@@ -163,7 +163,8 @@ inline const auto kManualOverrideMisspelt =
     Declare<bool>("MOOS_MANUAL_OVERIDE", "the same, as older MOOS programs spell it",
                   {.rate = "on event", .writers = {"operator"}, .is_command = true});
 inline const auto kHelmState =
-    Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK", {.rate = "10 Hz", .writers = {"pHelm"}});
+    Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK; MALCONFIG: it cannot begin",
+                         {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmAllStop = Declare<std::string>(
     "IVPHELM_ALLSTOP", "clear, or why all is stopped", {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kBehaviorError = Declare<std::string>(

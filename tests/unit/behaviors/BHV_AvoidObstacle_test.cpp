@@ -56,6 +56,32 @@ TEST(BhvAvoidObstacle, LeadsRoundAnObstacleOnTheWayAtADistance) {
   }
 }
 
+TEST(BhvAvoidObstacle, GoesRoundWhatLiesRightAheadOfASlowTurnerToo) {
+  struct Rock {
+    double middle, half_width, least, free, inner, outer, turn_rate;
+  };
+  // Two ways round that are as good must not take turns until neither can be gone.
+  for (const Rock& rock : {Rock{100, 9, 5, 10, 10, 40, 0.35}, Rock{100, 10, 5, 10, 10, 40, 0.15},
+                           Rock{110, 12, 8, 20, 15, 50, 0.25}, Rock{90, 6, 10, 15, 25, 50, 0.2}}) {
+    const std::string poly = fmt::format("{0},{2} : {1},{2} : {1},{3} : {0},{3}", rock.middle - 10,
+                                         rock.middle + 10, -rock.half_width, rock.half_width);
+    HelmFlight flight(kTravel + AvoidBlock(fmt::format(
+                                    "  poly = {}\n  allowable_ttc = 5\n  min_util_cpa_dist = {}\n"
+                                    "  max_util_cpa_dist = {}\n  pwt_inner_dist = {}\n"
+                                    "  pwt_outer_dist = {}\n  completed_dist = 150\n",
+                                    poly, rock.least, rock.free, rock.inner, rock.outer)));
+    flight.turn_rate = rock.turn_rate;
+    const auto rectangle = ConvexPolygon::Of({{rock.middle - 10, -rock.half_width},
+                                              {rock.middle + 10, -rock.half_width},
+                                              {rock.middle + 10, rock.half_width},
+                                              {rock.middle - 10, rock.half_width}});
+    const auto least = LeastDistance(flight, *rectangle);
+    ASSERT_TRUE(least) << poly;
+    EXPECT_GT(*least, rock.least) << poly;
+    EXPECT_EQ(flight.Last("BHV_ERROR"), "") << poly;
+  }
+}
+
 TEST(BhvAvoidObstacle, LeavesTheWayAloneWhereTheObstacleIsFarFromIt) {
   HelmFlight flight(kTravel + AvoidBlock("  poly = 90,20 : 110,20 : 110,40 : 90,40\n"));
   const auto rectangle = ConvexPolygon::Of({{90, 20}, {110, 20}, {110, 40}, {90, 40}});
@@ -126,6 +152,30 @@ TEST(BhvAvoidObstacle, IsGoneOnceTheObstacleIsResolved) {
   flight.Tick();
   EXPECT_THAT(flight.host().statuses(), SizeIs(1));
   flight.Say("OBM_RESOLVED", std::string("a"));
+  flight.Tick();
+  flight.Tick();
+  EXPECT_THAT(flight.host().statuses(), IsEmpty());
+}
+
+TEST(BhvAvoidObstacle, IsGoneAlsoWhereSeveralAreResolvedAtOnce) {
+  HelmFlight flight(AvoidBlock("  poly = 30,-5 : 40,-5 : 40,5 : 30,5\n  id = a\n"));
+  flight.Tick();
+  for (const char* id : {"z", "a", "b"}) {
+    flight.Say("OBM_RESOLVED", std::string(id));
+  }
+  flight.Tick();
+  EXPECT_THAT(flight.Posts("NOTED_RESOLVED"), ElementsAre("z", "a", "b"));
+  flight.Tick();
+  EXPECT_THAT(flight.host().statuses(), IsEmpty());
+}
+
+TEST(BhvAvoidObstacle, IsGoneAfterMailOfATimeInWhichTheHelmWasParked) {
+  HelmFlight flight(AvoidBlock("  poly = 30,-5 : 40,-5 : 40,5 : 30,5\n  id = a\n"));
+  flight.Tick();
+  flight.Say("OBM_RESOLVED", std::string("a"));
+  for (int other = 0; other < 100; ++other) {
+    flight.Say("OBM_RESOLVED", "other_" + std::to_string(other));
+  }
   flight.Tick();
   flight.Tick();
   EXPECT_THAT(flight.host().statuses(), IsEmpty());

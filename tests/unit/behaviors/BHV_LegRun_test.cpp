@@ -100,7 +100,7 @@ TEST(BhvLegRun, SaysWhenItIsSoFarOnALegOrInATurn) {
                                "  mid_pct = 40\n  midlegflag = MID = $[PCT_NP]\n"
                                "  mid_turn_pct = 50\n  midturnflag = MIDTURN = $[MODE]\n");
   ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Last("MID").empty(); }, 300.0));
-  EXPECT_NEAR(std::stod(flight.Last("MID")), 40.0, 1.0);
+  EXPECT_NEAR(std::stod(flight.Last("MID")), 0.40, 0.01) << "a share, as MOOS-IvP has it";
   EXPECT_NEAR(flight.x(), 40.0, 1.5);
   EXPECT_THAT(flight.Posts("MIDTURN"), ElementsAre("turn1")) << "none on the first leg";
 }

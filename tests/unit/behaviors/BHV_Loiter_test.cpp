@@ -77,13 +77,20 @@ TEST(BhvLoiter, TakesASpiralFactorBeyondItsScaleForTheEndOfIt) {
   EXPECT_EQ(course_with("250"), course_with("100"));
 }
 
-TEST(BhvLoiter, TakesTheBetterDirectionIfLeftTo) {
-  HelmFlight flight = Begun("  clockwise = best\n  runflag = CW = $[CWISE]\n", -100.0, 0.0, 120.0);
-  flight.Tick();
-  EXPECT_EQ(flight.Last("CW"), "false") << "it already heads to starboard of the polygon";
-  HelmFlight other = Begun("  clockwise = best\n  runflag = CW = $[CWISE]\n", -100.0, 0.0, 60.0);
-  other.Tick();
-  EXPECT_EQ(other.Last("CW"), "true");
+TEST(BhvLoiter, TakesTheBetterDirectionAsItWakesUpIfLeftTo) {
+  const auto clockwise = [](double heading, bool wakes_up) {
+    HelmFlight flight =
+        Begun("  condition = GO = true\n  clockwise = best\n  runflag = CW = $[CWISE]\n", -100.0,
+              0.0, heading);
+    if (wakes_up) flight.Tick();
+    flight.PlaceAt(-100.0, 0.0, heading);
+    flight.Say("GO", std::string("true"));
+    flight.Tick();
+    return flight.Last("CW");
+  };
+  EXPECT_EQ(clockwise(120.0, true), "0") << "it already heads to starboard of the polygon";
+  EXPECT_EQ(clockwise(60.0, true), "1");
+  EXPECT_EQ(clockwise(120.0, false), "1") << "a helm that begins with it goes clockwise, as theirs";
 }
 
 TEST(BhvLoiter, SaysHowFarItIs) {

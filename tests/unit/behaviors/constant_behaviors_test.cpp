@@ -75,6 +75,38 @@ TEST(BhvConstantDepth, DivesToItsDepthAndSaysHowFarOffItIs) {
   EXPECT_NEAR(flight.depth(), 12.0, 1e-6);
 }
 
+TEST(ConstantBehaviors, SayHowFarOffTheVehicleIsAlsoWhileTheyAreIdle) {
+  for (const auto& [type, key] : {std::pair{"BHV_ConstantDepth", "depth"},
+                                  {"BHV_ConstantSpeed", "speed"},
+                                  {"BHV_ConstantHeading", "heading"}}) {
+    HelmFlight flight(Block(type, std::string("  condition = GO = true\n  ") + key + " = 20\n  " +
+                                      key + "_mismatch_var = OFF\n"));
+    flight.Tick();
+    const std::string before = flight.Last("OFF");
+    EXPECT_NE(before, "") << type;
+    flight.PlaceAt(0.0, 0.0, 50.0);
+    flight.state().nav.down = 9.0;
+    flight.state().nav.u = 1.0;
+    flight.Tick();
+    EXPECT_NE(flight.Last("OFF"), before) << type << ": a mode may hang on it";
+  }
+}
+
+TEST(BhvTimer, APerpetualOnesNextTimeBeginsAsTheLastOneEnds) {
+  HelmFlight flight(
+      "Behavior = BHV_Timer\n{\n  name = t\n  condition = GO = true\n  duration = 10\n"
+      "  perpetual = true\n  endflag = GO = false\n  endflag = ENDED = $[UTC]\n}\n");
+  flight.Say("GO", std::string("true"));
+  flight.Fly(10.5);
+  ASSERT_THAT(flight.Posts("ENDED"), SizeIs(1));
+  flight.Fly(5.0);
+  flight.Say("GO", std::string("true"));
+  flight.Fly(4.0);
+  EXPECT_THAT(flight.Posts("ENDED"), SizeIs(1));
+  flight.Fly(2.0);
+  EXPECT_THAT(flight.Posts("ENDED"), SizeIs(2)) << "what it was idle counts, unless told otherwise";
+}
+
 TEST(BhvConstantDepth, TakesADepthAboveTheSurfaceForTheSurface) {
   HelmFlight flight(Block("BHV_ConstantDepth", "  depth = -3\n  depth_mismatch_var = OFF\n"));
   flight.Tick();

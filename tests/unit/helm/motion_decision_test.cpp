@@ -96,7 +96,7 @@ TEST(MotionDecision, IsAtAPointOfTheDomainIfAsked) {
   domain.speed = MotionAxis{.low = 0.0, .high = 4.0, .points = 21};
   MotionArbiter arbiter(domain, {}, true);
   for (const auto& [speed, point] :
-       {std::pair{1.3, 1.3}, {1.29, 1.2}, {1.31, 1.4}, {0.05, 0.0}, {9.0, 4.0}}) {
+       {std::pair{1.3, 1.2}, {1.29, 1.2}, {1.31, 1.4}, {0.05, 0.0}, {9.0, 4.0}}) {
     MovingBehavior fast(Speed(speed));
     EXPECT_NEAR(*arbiter.Decide({{{"fast", 1.0, &fast}}}, {}).speed, point, 1e-12) << speed;
   }

@@ -25,6 +25,22 @@ MotionBid PeaksAt(double course, double speed, double depth) {
   return bid;
 }
 
+TEST(MotionRecord, SaysWhatThePresentCourseCountsBesides) {
+  MotionBid bid = PeaksAt(0.0, 0.5, 3.0);
+  bid.present_course = Peak{.summit = std::numbers::pi / 2.0,
+                            .flat_half_width = 0.5,
+                            .base_half_width = 4.0,
+                            .share = 0.2};
+  OpinionatedBehavior way(bid);
+  MotionArbiter arbiter(MotionDomain{});
+  const std::vector<WeightedBehavior> running{{"way", 100.0, &way}};
+  const HelmMotion motion = RecordOf(arbiter, arbiter.Decide(running, {}));
+  ASSERT_EQ(motion.opinions.size(), 4U);
+  EXPECT_EQ(motion.opinions[3].variables, "course");
+  EXPECT_NEAR(motion.opinions[3].weight, 20.0, 1e-9);
+  EXPECT_NEAR(motion.opinions[3].summit.value_or(-1.0), 90.0, 1e-9);
+}
+
 TEST(MotionRecord, SaysWhatEachWantsAndWhatItGets) {
   OpinionatedBehavior heavy(PeaksAt(-std::numbers::pi / 2.0, 0.5, 3.0));
   MotionBid shallow;

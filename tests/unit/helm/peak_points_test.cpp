@@ -74,10 +74,10 @@ TEST(MaximizeOverPoints, OfEqualsTheSafestThenTheNearestToWhatIsWantedIsTaken) {
   EXPECT_EQ(MaximizeOverInterval(std::vector{deep, above_20, above_25}, 0.0, 100.0), 20.0);
 }
 
-TEST(MaximizeOverPoints, ASpeedInTheMiddleOfTwoPointsStays) {
+TEST(MaximizeOverPoints, OfASpeedInTheMiddleOfTwoPointsTakesTheSlower) {
   const std::vector<WeightedPeak> peaks{
       {{.summit = 1.3, .flat_half_width = 0.0, .base_half_width = 0.4}, 1.0}};
-  EXPECT_NEAR(MaximizeOverPoints(peaks, kSpeeds, kSpeed), 1.3, 1e-9);
+  EXPECT_NEAR(MaximizeOverPoints(peaks, kSpeeds, kSpeed), 1.2, 1e-9);
 }
 
 TEST(StandingAtPoints, APeakThatReachesNoneStandsAtTheNearest) {
