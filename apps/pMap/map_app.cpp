@@ -13,6 +13,7 @@
 #include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
+#include "limpet/topics/surface_fix.hpp"
 
 namespace limpet {
 MapApp::MapApp(const AppContext& context, const Params& params)
@@ -34,6 +35,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       }) {
   Subscribe(topics::kSurveyArea, &MapApp::OnArea);
   Subscribe(topics::kSurveyPhase, &MapApp::OnPhase);
+  SubscribeIfWritten(topics::kSurfaceFix, &MapApp::OnSurfaceFix);
   Subscribe(topics::kNavCameraFrame, &MapApp::OnFrame);
   Subscribe(topics::kGroundContrast, &MapApp::OnContrast);
   Subscribe(topics::kNavBeams, &MapApp::OnBeams);
@@ -69,6 +71,12 @@ void MapApp::OnGridRequest(const Stamped<std::string>& /*cause*/) {
 
 void MapApp::OnPhase(const Stamped<std::string>& phase) { phase_ = phase.value; }
 
+void MapApp::OnSurfaceFix(const Stamped<bool>& is_up) {
+  constexpr Seconds kLongestDive(120.0);
+  if (is_up_for_fix_ && !is_up.value) back_from_fix_by_ = now() + kLongestDive;
+  is_up_for_fix_ = is_up.value;
+}
+
 void MapApp::WarnOfDrop(const std::optional<FrameDrop>& drop) {
   if (drop == FrameDrop::kOutOfOrder) {
     Warn(warnings::kFrameOutOfOrder, "a frame came late and was left out");
@@ -77,7 +85,10 @@ void MapApp::WarnOfDrop(const std::optional<FrameDrop>& drop) {
   ClearWarning(warnings::kFrameOutOfOrder);
   // On the way down frames from above are no trouble.
   const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
-  if (is_surveying && drop == FrameDrop::kTooHigh) {
+  // Nor are they on a way up for a fix, nor on the way down from it.
+  if (!drop && !is_up_for_fix_) back_from_fix_by_.reset();
+  const bool is_high_meant = is_up_for_fix_ || now() < back_from_fix_by_.value_or(now());
+  if (is_surveying && !is_high_meant && drop == FrameDrop::kTooHigh) {
     Warn(warnings::kViewTooHigh,
          fmt::format("frames from higher than highest_view_m = {:g} above the seabed show nothing",
                      params_.highest_view.value()));

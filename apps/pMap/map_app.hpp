@@ -37,6 +37,7 @@ class MapApp final : public App {
  private:
   void OnArea(const Stamped<SurveyArea>& area);
   void OnPhase(const Stamped<std::string>& phase);
+  void OnSurfaceFix(const Stamped<bool>& is_up);
   void OnFrame(const Stamped<ObservedFrame>& frame);
   void OnContrast(const Stamped<GroundContrast>& image);
   void OnBeams(const Stamped<PosedBeams>& beams);
@@ -87,6 +88,8 @@ class MapApp final : public App {
   std::optional<SurveyArea> area_;
   std::optional<AnchoredGrid> ground_;
   std::string phase_;
+  bool is_up_for_fix_ = false;
+  std::optional<Seconds> back_from_fix_by_;  ///< until a frame has come from low enough
   std::optional<Seconds> last_publish_;
   std::optional<Seconds> last_water_;
   bool landmarks_changed_ = false;  ///< since places were last judged exactly where they are

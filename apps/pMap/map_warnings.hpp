@@ -20,7 +20,8 @@ inline const WarningId kViewTooHigh =
                    {.severity = Severity::kWarning,
                     .raised_by = {"pMap"},
                     .meaning = "While surveying, frames are taken from higher above the seabed "
-                               "than highest_view_m: they show nothing and count for nothing.",
+                               "than highest_view_m, not on the way to a fix at the surface "
+                               "(SURFACE_FIX) or back: they show nothing and count for nothing.",
                     .action = "See why the vehicle flies high (NAV_ALTITUDE, ALTITUDE_LOST); or "
                               "raise highest_view_m where the water is clear.",
                     .clears = "With the next frame from low enough, or out of the survey phase."});

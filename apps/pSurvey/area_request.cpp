@@ -14,6 +14,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/core/record.hpp"
 #include "limpet/session/checksum.hpp"
+#include "limpet/survey/band_top.hpp"
 #include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/survey_shape.hpp"
 #include "limpet/topics/area_request.hpp"
@@ -45,18 +46,19 @@ struct FieldNames {
   }
 };
 
-/// Of `key=value,key=value`, less what stands in braces.
+/// Of `key=value,key=value`, less what stands in braces; a value without a key as `{...}`.
 std::vector<std::string> KeysIn(std::string_view text) {
   std::string outside;
   int depth = 0;
   for (const char letter : text) {
     depth += letter == '{' ? 1 : 0;
-    if (depth == 0) outside += letter;
+    if (depth == 0 || (depth == 1 && letter == '{')) outside += letter;
     depth -= letter == '}' && depth > 0 ? 1 : 0;
   }
   std::vector<std::string> keys;
   for (const std::string& part : Split(outside, ',')) {
-    if (!Trim(part).empty()) keys.emplace_back(Trim(part.substr(0, part.find('='))));
+    const std::string_view key = Trim(std::string_view(part).substr(0, part.find('=')));
+    if (!key.empty()) keys.emplace_back(key.starts_with('{') ? "{...}" : key);
   }
   return keys;
 }
@@ -67,6 +69,9 @@ std::optional<Error> ProblemOfKeys(std::string_view text) {
   SurveyAreaRequest().Describe(known);
   const std::vector<std::string> keys = KeysIn(text);
   for (const std::string& key : keys) {
+    if (key == "{...}") {
+      return Error{"a `{...}` stands without its key; several zones are keep_out={..}{..}"};
+    }
     if (std::ranges::find(known.names, key) == known.names.end()) {
       const std::string nearest = NearestWord(key, known.names);
       return Error{fmt::format("nothing knows `{}`; {}", key,
@@ -81,7 +86,7 @@ std::optional<Error> ProblemOfKeys(std::string_view text) {
 
 /// What pSurvey's block would not be allowed to say.
 std::optional<Error> ProblemOfNumbers(const SurveyAreaRequest& request,
-                                      const SurveyParams& params) {
+                                      const AreaSetting& setting) {
   SurveyParams allowed;
   const std::vector<ParamSpec> specs = DescribeParams(allowed);
   const auto problem = [&specs](const char* key,
@@ -92,13 +97,13 @@ std::optional<Error> ProblemOfNumbers(const SurveyAreaRequest& request,
   };
   if (auto error = problem("margin_m", request.margin)) return error;
   if (auto error = problem("object_height_max_m", request.object_height_max)) return error;
-  if (request.object_height_max.value_or(0.0) >= params.altitude.value()) {
-    return Error{
-        fmt::format("objects of {:g} m reach up to where the vehicle flies, and nothing of the "
-                    "band's top would be seen; allowed: below pSurvey altitude_m = {:g}",
-                    *request.object_height_max, params.altitude.value())};
-  }
-  return std::nullopt;
+  if (!request.object_height_max) return std::nullopt;
+  const double altitude = setting.params.altitude.value();
+  const auto reason = ProblemOf(BandView{.object_height_max = *request.object_height_max,
+                                         .object_radius = setting.object_radius.value(),
+                                         .altitude = altitude},
+                                fmt::format("pSurvey altitude_m = {:g}", altitude));
+  return reason ? std::optional(Error{"object_height_max: " + *reason}) : std::nullopt;
 }
 
 /// A side that neither leaves `region` at its ends nor between two meetings with its border.
@@ -132,6 +137,11 @@ std::optional<Error> ProblemOfPlaces(const SurveyArea& area, const AreaSetting& 
         "{:g}",
         side.from.y(), side.from.x(), side.to.y(), side.to.x())};
   }
+  const bool is_in_zone =
+      setting.vehicle_W && std::ranges::any_of(shape.zones(), [&](const SimplePolygon& zone) {
+        return zone.Contains(*setting.vehicle_W);
+      });
+  if (is_in_zone) return Error{"the vehicle lies in a keep-out zone of the request"};
   const double off = shape.OutsideArea(setting.vehicle_W.value_or(PlanePoint::Zero()));
   if (off <= kFarthest) return std::nullopt;
   return Error{fmt::format("the area is {:.0f} km from {}; allowed: up to {:g} km", off / 1e3,
@@ -155,7 +165,7 @@ Expected<SurveyArea> AreaRequested(std::string_view text, const AreaSetting& set
   if (const auto polygon = SimplePolygon::Of(*places); !polygon) {
     return Error{"`area` " + polygon.error().text};
   }
-  if (const auto problem = ProblemOfNumbers(*request, setting.params)) return *problem;
+  if (const auto problem = ProblemOfNumbers(*request, setting)) return *problem;
   SurveyArea area = AreaWithin(*places);
   area.margin = request->margin.value_or(setting.area.margin);
   area.object_height_max = request->object_height_max.value_or(setting.area.object_height_max);

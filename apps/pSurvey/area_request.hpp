@@ -20,6 +20,7 @@ struct AreaSetting {
   const SurveyArea& area;                 ///< surveyed now
   const SurveyParams& params;             ///< of the mission
   std::optional<PlanePoint> vehicle_W{};  ///< where it is, if anybody knows
+  Meters object_radius{0.0};              ///< as far as the mission says it
 };
 
 /// The area that a SURVEY_AREA_REQUEST asks for. The error says why it cannot be: it came damaged,

@@ -7,6 +7,7 @@
 #include "apps/pSurvey/area_request.hpp"
 #include "apps/pSurvey/survey_app.hpp"
 #include "apps/pSurvey/survey_warnings.hpp"
+#include "limpet/core/number_text.hpp"
 #include "limpet/survey/grid_frame.hpp"
 #include "limpet/topics/area_request.hpp"
 
@@ -20,6 +21,7 @@ bool SurveyApp::IsAtSurface() const {
 void SurveyApp::OnAreaRequest(const Stamped<std::string>& request) {
   const std::string hash = HashOfRequest(request.value);
   AreaSetting setting{.area = area_, .params = params_};
+  setting.object_radius = Meters(ParseNumber(context().Global("object_radius_m")).value_or(0.0));
   if (nav_) setting.vehicle_W.emplace(nav_->value.north, nav_->value.east);
   Expected<SurveyArea> area =
       IsAtSurface() ? AreaRequested(request.value, setting)

@@ -2,7 +2,11 @@
 #include "apps/limpet/verbs/site_drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -58,33 +62,57 @@ struct LetterMap {
   [[nodiscard]] std::size_t ColumnOf(const PlanePoint& at) const {
     return static_cast<std::size_t>(std::lround((at.y() - corner.y()) / step.y()));
   }
+  /// Whether it has a letter for a place. A zone may reach beyond all that is drawn.
+  [[nodiscard]] bool Holds(const PlanePoint& at) const {
+    const double row = (corner.x() - at.x()) / step.x(), column = (at.y() - corner.y()) / step.y();
+    return row >= -0.5 && column >= -0.5 && row < static_cast<double>(lines.size()) - 0.5 &&
+           column < static_cast<double>(lines.front().size()) - 0.5;
+  }
   char& At(const PlanePoint& at) { return lines[RowOf(at)][ColumnOf(at)]; }
 };
 
-/// Whether it or a letter beside it is ground of the area.
-bool HasGroundNear(const std::vector<std::string>& lines, std::size_t row, std::size_t column) {
+/// Whether it or a letter beside it is `letter`.
+bool HasNear(const std::vector<std::string>& lines, char letter, std::size_t row,
+             std::size_t column) {
   for (std::size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < lines.size(); ++r) {
     const std::size_t first = column > 0 ? column - 1 : 0;
-    if (lines[r].substr(first, column + 2 - first).find(':') != std::string::npos) return true;
+    if (lines[r].substr(first, column + 2 - first).find(letter) != std::string::npos) return true;
   }
   return false;
 }
 
-/// Of an area narrower than a letter no letter's middle need be ground: its border is drawn.
-void DrawNarrows(const SimplePolygon& outline, LetterMap& map) {
+/// Of a polygon narrower than a letter no letter's middle need be inside: its border is drawn with
+/// the polygon's letter, over those of `over`.
+void DrawNarrows(const SimplePolygon& polygon, char drawn, std::string_view over, LetterMap& map) {
   const std::vector<std::string> sampled = map.lines;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const PlaneEdge edge = outline.Edge(i);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const PlaneEdge edge = polygon.Edge(i);
     const PlanePoint along = edge.to - edge.from;
     const auto pieces = std::max(1L, std::lround(2.0 * along.norm() / map.step.minCoeff()));
     for (long piece = 0; piece <= pieces; ++piece) {
       const PlanePoint at =
           edge.from + static_cast<double>(piece) / static_cast<double>(pieces) * along;
+      if (!map.Holds(at) || HasNear(sampled, drawn, map.RowOf(at), map.ColumnOf(at))) continue;
       char& letter = map.At(at);
-      const bool is_empty = letter == ' ' || letter == '.';
-      if (is_empty && !HasGroundNear(sampled, map.RowOf(at), map.ColumnOf(at))) letter = ':';
+      if (over.find(letter) != std::string_view::npos) letter = drawn;
     }
   }
+}
+
+/// What the letters that occur in `drawing` stand for.
+std::string LegendText(const std::string& drawing) {
+  constexpr std::array<std::pair<char, const char*>, 5> kMeanings{
+      {{':', "ground to be seen"},
+       {'.', "the rest of the operating region"},
+       {'#', "keep-out zone"},
+       {'o', "way point of the transit"},
+       {'S', "start and home"}}};
+  std::string legend;
+  for (const auto& [letter, meaning] : kMeanings) {
+    if (drawing.find(letter) == std::string::npos) continue;
+    legend += fmt::format("{}{} {}", legend.empty() ? "" : ", ", letter, meaning);
+  }
+  return legend + "\n";
 }
 
 std::string FiguresText(const Site& site) {
@@ -94,6 +122,100 @@ std::string FiguresText(const Site& site) {
           : "";
   return fmt::format("{:.0f} m2 to be seen; lanes and turns of about {:.0f} m{}\n", site.wanted_m2,
                      site.path_m, time);
+}
+
+/// What lies `margin` beyond the area, where the vehicle may be if no region is said: its border in
+/// pieces, since where two sides face each other it has none.
+std::vector<std::vector<PlanePoint>> BorderBeyond(const SimplePolygon& outline, double margin) {
+  constexpr double kTurn = 0.1;    // between two points around a corner [rad]
+  constexpr double kTouch = 1e-6;  // [m]
+  constexpr double kFinest = 1.0 / 64;
+  std::vector<std::vector<PlanePoint>> pieces(1);
+  const auto take = [&](const PlanePoint& at) {
+    if (-outline.Depth(at) >= margin - kTouch) {
+      pieces.back().push_back(at);
+    } else if (!pieces.back().empty()) {
+      pieces.emplace_back();
+    }
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const PlaneEdge edge = outline.Edge(i);
+    const PlanePoint along = edge.to - edge.from;
+    PlanePoint off = PlanePoint(-along.y(), along.x()).normalized() * margin;
+    const PlanePoint middle = edge.from + 0.5 * along;
+    const bool is_inward = outline.Contains(middle + 1e-3 * off.normalized());
+    if (is_inward) off = -off;
+    for (double share = 0.0; share <= 1.0; share += kFinest)
+      take(edge.from + share * along + off);
+    // Around the corner; where the next side begins sooner, those places are not of the border.
+    const double turn = is_inward ? kTurn : -kTurn;
+    for (double angle = turn; std::abs(angle) < std::numbers::pi; angle += turn) {
+      const PlanePoint around(off.x() * std::cos(angle) - off.y() * std::sin(angle),
+                              off.x() * std::sin(angle) + off.y() * std::cos(angle));
+      const PlanePoint at = edge.to + around;
+      if (-outline.Depth(at) < margin - kTouch) break;
+      take(at);
+    }
+  }
+  return pieces;
+}
+
+/// What MapAxes leaves out: the region, if the mission does not say it.
+void DrawRegion(const Site& site, MapAxes& map) {
+  const SurveyShape shape = *SurveyShape::Of(site.area);
+  if (shape.region() || shape.margin() <= 0.0) return;
+  const Paint thin{.stroke = palette::kMapMuted, .width = 0.7};
+  const auto draw = [&](const std::vector<PlanePoint>& border) {
+    std::vector<SvgCanvas::Point> line;
+    for (const PlanePoint& at : border)
+      line.push_back(map.At(at.x(), at.y()));
+    if (line.size() > 1) map.canvas().Polyline(line, thin);
+  };
+  if (shape.is_plain()) {
+    const Region region(site.area);
+    const double south = region.north_min(), north = region.north_max();
+    const double west = region.east_min(), east = region.east_max();
+    draw({{south, west}, {north, west}, {north, east}, {south, east}, {south, west}});
+    return;
+  }
+  for (const std::vector<PlanePoint>& piece : BorderBeyond(shape.outline(), shape.margin()))
+    draw(piece);
+}
+
+/// A line of the legend that is a piece of line.
+void LineLegend(MapAxes& map, const Paint& paint, const std::string& text) {
+  map.Legend(
+      [paint](SvgCanvas& canvas, const SvgCanvas::Point& at) {
+        canvas.Line(at - SvgCanvas::Point(10.0, 0.0), at + SvgCanvas::Point(10.0, 0.0), paint);
+      },
+      text);
+}
+
+/// Of what is drawn, and of nothing else.
+void DrawLegend(const Site& site, MapAxes& map) {
+  const SurveyShape shape = *SurveyShape::Of(site.area);
+  LineLegend(map, {.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"}, "area to survey");
+  if (shape.region() || shape.margin() > 0.0) {
+    LineLegend(map, {.stroke = palette::kMapMuted, .width = 0.7}, "operating region");
+  }
+  if (!shape.zones().empty()) {
+    map.Legend(
+        [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
+          canvas.Rect(at - SvgCanvas::Point(8.0, 5.0), {16.0, 10.0},
+                      {.fill = palette::kMapMuted, .opacity = 0.5});
+        },
+        "keep-out zone");
+  }
+  if (!shape.transit().empty()) {
+    LineLegend(map, {.stroke = palette::kBlue, .width = 1.5}, "transit");
+  }
+  if (site.start) {
+    map.Legend(
+        [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
+          canvas.Circle(at, 5.0, {.fill = palette::kVermillion});
+        },
+        "start and home");
+  }
 }
 
 }  // namespace
@@ -145,7 +267,9 @@ std::string SiteText(const Site& site, int columns) {
       map.lines[row][column] = LetterAt(shape, region, map.Place(row, column));
     }
   }
-  DrawNarrows(shape.outline(), map);
+  DrawNarrows(shape.outline(), ':', " .", map);
+  for (const SimplePolygon& zone : shape.zones())
+    DrawNarrows(zone, '#', " .:", map);
   for (const PlanePoint& at : region.transit())
     map.At(at) = 'o';
   if (site.start) map.At(*site.start) = 'S';
@@ -154,22 +278,25 @@ std::string SiteText(const Site& site, int columns) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  return text + FiguresText(site);
+  return text + LegendText(text) + FiguresText(site);
 }
 
 std::string SiteSvg(const Site& site) {
   const Region region(site.area);
   const DrawnBox box = BoxOf(site, region);
+  // Room for the marks at the edges, whatever the scale.
+  const double room = std::max(1.0, 0.02 * (box.high - box.low).maxCoeff());
   const SurveyArea frame{.north_min = box.low.x(),
                          .north_max = box.high.x(),
                          .east_min = box.low.y(),
                          .east_max = box.high.y(),
-                         .margin = 1.0};
+                         .margin = room};
   std::string figures = FiguresText(site);
   figures.pop_back();
   MapAxes map(frame, "What " + site.name + " surveys", figures);
   map.BeginMap();
   map.Outline(site.area);
+  DrawRegion(site, map);
   std::vector<SvgCanvas::Point> way;
   if (site.start) way.push_back(map.At(site.start->x(), site.start->y()));
   for (const PlanePoint& at : region.transit())
@@ -179,23 +306,7 @@ std::string SiteSvg(const Site& site) {
     map.canvas().Circle(way.front(), 5.0, {.fill = palette::kVermillion});
   }
   map.EndMap();
-  map.Legend(
-      [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
-        canvas.Line(at - SvgCanvas::Point(10.0, 0.0), at + SvgCanvas::Point(10.0, 0.0),
-                    {.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"});
-      },
-      "area to survey");
-  map.Legend(
-      [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
-        canvas.Rect(at - SvgCanvas::Point(8.0, 5.0), {16.0, 10.0},
-                    {.fill = palette::kMapMuted, .opacity = 0.5});
-      },
-      "keep-out zone");
-  map.Legend(
-      [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
-        canvas.Circle(at, 5.0, {.fill = palette::kVermillion});
-      },
-      "start and home");
+  DrawLegend(site, map);
   return map.Finish();
 }
 

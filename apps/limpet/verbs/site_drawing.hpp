@@ -28,7 +28,8 @@ struct Site {
                                          const MissionChange& change = {});
 
 /// North up, as wide as `columns`: `:` ground to be seen, `.` the rest of the operating region, `#`
-/// keep-out zones, `o` way points, `S` the start; under it a line of figures.
+/// keep-out zones, `o` way points, `S` the start; under it what the letters that occur mean, and a
+/// line of figures.
 [[nodiscard]] std::string SiteText(const Site& site, int columns);
 [[nodiscard]] std::string SiteSvg(const Site& site);
 

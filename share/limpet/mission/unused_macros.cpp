@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limpet/mission/plug.hpp"
 #include "limpet/mission/plug_macros.hpp"
@@ -27,6 +29,14 @@ std::string_view FirstWordOf(std::string_view text) {
   return text.substr(0, text.find_first_of(" \t"));
 }
 
+/// `ZONE_10` as `ZONE_`; empty if the name has no number.
+std::string_view SeriesOf(std::string_view name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  const bool is_numbered =
+      last != std::string_view::npos && last + 1 < name.size() && name[last] == '_';
+  return is_numbered ? name.substr(0, last + 1) : std::string_view();
+}
+
 /// What a file and all that it includes define and use.
 class MacroNames {
  public:
@@ -35,18 +45,23 @@ class MacroNames {
     Read(file);
   }
 
-  [[nodiscard]] std::vector<ConfigProblem> Unused() const {
+  [[nodiscard]] std::vector<UnusedMacro> Unused() const {
     const std::vector<std::string> used(used_.begin(), used_.end());
-    std::vector<ConfigProblem> notes;
+    std::vector<UnusedMacro> unused;
     for (const Definition& definition : defined_) {
       if (used_.contains(definition.name)) continue;
+      const std::vector<std::string> series = UsedOfSeries(SeriesOf(definition.name));
       const std::string nearest = NearestWord(definition.name, used);
-      notes.push_back(
-          {definition.where, "#define",
-           fmt::format("nothing in the mission's files uses the macro `{}`{}", definition.name,
-                       nearest.empty() ? "" : fmt::format("; nearest that is: `{}`", nearest))});
+      const std::string instead =
+          series.empty() ? (nearest.empty() ? "" : "; nearest that is: `" + nearest + "`")
+                         : "; of its series these are: " + fmt::to_string(fmt::join(series, ", "));
+      unused.push_back({.problem = {definition.where, "#define",
+                                    fmt::format("nothing in the mission's files uses the macro "
+                                                "`{}`{}",
+                                                definition.name, instead)},
+                        .is_beyond_its_series = !series.empty()});
     }
-    return notes;
+    return unused;
   }
 
  private:
@@ -54,6 +69,20 @@ class MacroNames {
     std::string name;
     SourceLine where;
   };
+
+  /// Those with a number, and what the series is also known by: without one, as a file of more.
+  [[nodiscard]] std::vector<std::string> UsedOfSeries(std::string_view series) const {
+    std::vector<std::string> members;
+    if (series.empty()) return members;
+    std::ranges::copy_if(used_, std::back_inserter(members),
+                         [series](const std::string& name) { return SeriesOf(name) == series; });
+    if (members.empty()) return members;
+    const std::string name(series.substr(0, series.size() - 1));
+    for (const std::string& other : {name, name + "_FILE"}) {
+      if (used_.contains(other)) members.push_back(other);
+    }
+    return members;
+  }
 
   void Read(const fs::path& file) {
     std::error_code ignored;
@@ -126,7 +155,7 @@ class MacroNames {
 
 }  // namespace
 
-std::vector<ConfigProblem> UnusedMacros(const fs::path& file) {
+std::vector<UnusedMacro> UnusedMacros(const fs::path& file) {
   try {
     return MacroNames(file).Unused();
   } catch (const ConfigError&) {

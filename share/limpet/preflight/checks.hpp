@@ -13,7 +13,7 @@ namespace limpet::internal {
 // Syntax.
 void CheckBlockNames(const MissionReading& reading, MissionProblems& found);
 void CheckGlobals(const MissionReading& reading, MissionProblems& found);
-/// Macros that a mission defines and nothing in its files uses: notes.
+/// Macros that a mission defines and nothing in its files uses: notes, but of a numbered series.
 void CheckMacros(const MissionReading& reading, MissionProblems& found);
 /// That the mission says which vehicle flies it, if it starts an app that needs to know. False: it
 /// is to be known and is not.

@@ -66,6 +66,27 @@ Seabeds SeabedsOf(const Scenario& scenario, const SurveyArea& area) {
   return seabeds;
 }
 
+/// The altitude is held by beams that look down and ahead: so steep a seabed they take for a wall.
+void CheckSlope(const MissionReading& reading, MissionProblems& found) {
+  constexpr double kGood = 15.0, kMost = 30.0;  // [deg]
+  const double slope = reading.scenario()->seabed.slope_deg;
+  if (slope <= kGood) return;
+  const SourceLine where = reading.InScenario("slope_deg:");
+  if (slope > kMost) {
+    found.geometry.push_back(
+        {where, "seabed",
+         fmt::format("slopes by {:g} degrees: the vehicle cannot hold its altitude over it; "
+                     "allowed: up to {:g}, and surveys are good to {:g}",
+                     slope, kMost, kGood)});
+  } else {
+    found.notes.push_back(
+        {where, "seabed",
+         fmt::format("slopes by {:g} degrees, and surveys are good to {:g}: altitude and view are "
+                     "worse beyond",
+                     slope, kGood)});
+  }
+}
+
 void CheckDeep(const MissionReading& reading, const SurveyFacts& survey, const Seabeds& seabeds,
                MissionProblems& found) {
   const MotionDomain domain = DomainOf(reading);
@@ -201,6 +222,7 @@ void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, Missi
   }
   if (!reading.scenario()) return;
   const Seabeds seabeds = SeabedsOf(*reading.scenario(), survey.area);
+  CheckSlope(reading, found);
   CheckShallow(reading, survey, seabeds, found);
   CheckDeep(reading, survey, seabeds, found);
   CheckDive(reading, survey, seabeds, found);

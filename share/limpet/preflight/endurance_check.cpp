@@ -135,11 +135,22 @@ double TopSpeed(const VehicleParams& vehicle) {
   return low;
 }
 
-/// The strongest that the scenario lets it become [m/s].
-double StrongestCurrent(const Scenario::Water& water) {
+double MeanCurrent(const Scenario::Water& water) {
+  return std::hypot(water.current_north_mps, water.current_east_mps);
+}
+
+/// The strongest that its tide lets it become, for as long as a way home takes [m/s].
+double StrongestTide(const Scenario::Water& water) {
   const double strongest =
       water.current.tide_period > Seconds(0.0) ? 1.0 + water.current.tide_share : 1.0;
-  return strongest * std::hypot(water.current_north_mps, water.current_east_mps);
+  return strongest * MeanCurrent(water);
+}
+
+/// The strongest that the scenario lets it become for a while, its unrest taken at two sigmas
+/// [m/s].
+double StrongestCurrent(const Scenario::Water& water) {
+  constexpr double kSigmas = 2.0;
+  return StrongestTide(water) + kSigmas * water.current.unrest_share * MeanCurrent(water);
 }
 
 void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
@@ -168,10 +179,15 @@ void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
   constexpr double kRounding = 1e-3;  // of components in text [m/s]
   const double most = std::min(kMostCurrent * speed, std::max(0.0, top - speed));
   if (current <= most + kRounding) return;
+  const std::string made_of =
+      water.current.unrest_share > 0.0
+          ? fmt::format(" (it is {:.2f} m/s on average; two sigmas of its unrest are counted)",
+                        MeanCurrent(water))
+          : "";
   const bool is_carried = current >= speed || current + speed > top;
   found.geometry.push_back(
       {where, "water",
-       fmt::format("a current of {:.2f} m/s {}; allowed: up to {:.2f} m/s", current,
+       fmt::format("a current of {:.2f} m/s {}; allowed: up to {:.2f} m/s{}", current,
                    is_carried
                        ? fmt::format("carries the vehicle away: {}, and it makes {:.2f} m/s "
                                      "through the water at most",
@@ -179,7 +195,7 @@ void CheckCurrent(const MissionReading& reading, const SurveyFacts& survey,
                        : fmt::format("is more than half of the cruising speed, {}: no survey is "
                                      "good in it",
                                      survey.speed.Named()),
-                   most)});
+                   most, made_of)});
 }
 
 }  // namespace
@@ -194,12 +210,11 @@ void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
   CheckRange(reading, ways, found);
   CheckWayHome(reading, survey, ways, found);
   CheckCurrent(reading, survey, found);
-  CheckEnergy(
-      reading, survey,
-      {.out_m = ways.there(),
-       .home_m = ways.farthest_home,
-       .current_mps = reading.scenario() ? StrongestCurrent(reading.scenario()->water) : 0.0},
-      found);
+  CheckEnergy(reading, survey,
+              {.out_m = ways.there(),
+               .home_m = ways.farthest_home,
+               .current_mps = reading.scenario() ? StrongestTide(reading.scenario()->water) : 0.0},
+              found);
   const double margin = reading.Find("pSurvey", "margin_m")->number();
   if (ways.transit > margin) {
     found.notes.push_back(

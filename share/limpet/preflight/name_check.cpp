@@ -243,8 +243,12 @@ void CheckMacros(const MissionReading& reading, MissionProblems& found) {
   if (reading.apps().empty() || IsOthersAlone(reading.mission())) return;
   std::vector<std::filesystem::path> files{reading.mission().file};
   std::ranges::transform(reading.behavior_files(), std::back_inserter(files), &BehaviorFile::file);
-  for (const std::filesystem::path& file : files)
-    std::ranges::copy(UnusedMacros(file), std::back_inserter(found.notes));
+  for (const std::filesystem::path& file : files) {
+    for (const UnusedMacro& macro : UnusedMacros(file)) {
+      // One more of a series than is read, e.g. a tenth zone, would be dropped and flown into.
+      (macro.is_beyond_its_series ? found.syntax : found.notes).push_back(macro.problem);
+    }
+  }
 }
 
 void CheckLaunches(const MissionReading& reading, MissionProblems& found) {

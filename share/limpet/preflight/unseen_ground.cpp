@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limpet/planning/room.hpp"
+#include "limpet/preflight/joined_rooms.hpp"
 
 namespace limpet {
 namespace {
@@ -33,15 +34,37 @@ std::vector<PlanePoint> RimOf(const FreeSpace::Raster& raster,
   return rim;
 }
 
+std::vector<PlanePoint> PlacesOf(const FreeSpace::Raster& raster,
+                                 const std::vector<std::uint8_t>& cells) {
+  std::vector<PlanePoint> places;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    if (cells[cell] != 0) places.push_back(raster.Center(cell));
+  }
+  return places;
+}
+
+/// Distance to the nearest of the places [m].
+double DistanceTo(const std::vector<PlanePoint>& places, const PlanePoint& at) {
+  double least2 = std::numeric_limits<double>::infinity();
+  for (const PlanePoint& place : places)
+    least2 = std::min(least2, (place - at).squaredNorm());
+  return std::sqrt(least2);
+}
+
+/// Whether some cell is in both.
+bool AreMet(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  for (std::size_t cell = 0; cell < a.size(); ++cell) {
+    if (a[cell] != 0 && b[cell] != 0) return true;
+  }
+  return false;
+}
+
 /// Distance to the room [m]; 0 in it.
 double DistanceTo(const FreeSpace::Raster& raster, const std::vector<std::uint8_t>& room,
                   const std::vector<PlanePoint>& rim, const PlanePoint& at) {
   const auto cell = raster.At(at);
   if (cell && room[*cell] != 0) return 0.0;
-  double least2 = std::numeric_limits<double>::infinity();
-  for (const PlanePoint& place : rim)
-    least2 = std::min(least2, (place - at).squaredNorm());
-  return std::sqrt(least2);
+  return DistanceTo(rim, at);
 }
 
 }  // namespace
@@ -51,27 +74,32 @@ std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey, const Region&
   const FreeSpace& space = *region.free_space();
   const std::vector<std::uint8_t> largest = RoomToTurn(space, survey.turning_radius);
   // Who comes from outside is led to the largest room.
-  const std::vector<std::uint8_t> room = start && region.Contains(start->x(), start->y())
-                                             ? RoomToTurnFrom(space, *start, survey.turning_radius)
-                                             : largest;
+  const std::vector<std::uint8_t> first = start && region.Contains(start->x(), start->y())
+                                              ? RoomToTurnFrom(space, *start, survey.turning_radius)
+                                              : largest;
+  const auto& [room, passage] = JoinRooms(space, first, survey.turning_radius);
   const std::vector<PlanePoint> rim = RimOf(space.raster(), room);
+  const std::vector<PlanePoint> passages = PlacesOf(space.raster(), passage);
   const auto shape = SurveyShape::Of(survey.area);
   if (rim.empty() || !shape) return std::nullopt;
-  // The vehicle gets a turn's radius away from the centres of turns, and sees half an image more.
-  const Footprint footprint = survey.footprint();
-  const double reach = survey.turning_radius + space.raster().slack() +
-                       std::max(footprint.half_across(Footprint::kLayers - 1), 0.0);
+  // The vehicle gets a turn's radius away from the centres of turns, and sees half an image more;
+  // through a passage it goes straight on.
+  const double half = std::max(survey.footprint().half_across(Footprint::kLayers - 1), 0.0);
+  const double slack = space.raster().slack();
+  const double reach = survey.turning_radius + slack + half;
+  const double reach_beside = std::max(half - slack, 0.0);
   const PlanePoint low = shape->outline().low(), high = shape->outline().high();
   const double step =
       std::max(kFinestStep, std::sqrt((high - low).x() * (high - low).y() / kMostPlaces));
   double wanted = 0.0, unseen = 0.0, farthest = 0.0;
-  UnseenShare found{.is_start_shut_off = room != largest};
+  UnseenShare found{.is_start_shut_off = !AreMet(room, largest)};
   for (double north = low.x() + 0.5 * step; north < high.x(); north += step) {
     for (double east = low.y() + 0.5 * step; east < high.y(); east += step) {
       if (!shape->Wants({north, east})) continue;
       wanted += 1.0;
       const double distance = DistanceTo(space.raster(), room, rim, {north, east});
-      unseen += distance > reach ? 1.0 : 0.0;
+      if (distance <= reach || DistanceTo(passages, {north, east}) <= reach_beside) continue;
+      unseen += 1.0;
       if (distance > farthest) {
         farthest = distance;
         found.farthest_W = {north, east};

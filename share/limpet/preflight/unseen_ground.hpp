@@ -17,7 +17,8 @@ struct UnseenShare {
 };
 
 /// About how much of the area's ground no image shows to the top of the band that a vehicle takes
-/// which keeps to where full turns hang together: with where it starts, if that is in the region.
+/// which keeps to where full turns hang together, or are joined by straight passages: with where it
+/// starts, if that is in the region.
 /// Nothing if a turn fits nowhere. REQUIRES: a region with a free space.
 [[nodiscard]] std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey,
                                                       const Region& region,

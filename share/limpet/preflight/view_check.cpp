@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limpet/preflight/checks.hpp"
+#include "limpet/survey/band_top.hpp"
 #include "limpet/survey/detection_model.hpp"
 #include "limpet/vision/box_model.hpp"
 
@@ -34,12 +35,11 @@ void CheckHighestView(const MissionReading& reading, const SurveyFacts& survey,
 bool SeesTheBand(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found) {
   const double altitude = survey.altitude.number(), band = survey.band.number();
   const auto radius = reading.Find("pMap", "object_radius_m");
-  const double top = band > 0.0 && radius ? band + radius->number() : band;
-  if (top >= altitude) {
-    found.geometry.push_back(survey.band.Refuse(
-        fmt::format("objects may reach {:g} m above the seabed, and the vehicle flies at {}; "
-                    "allowed: below {:g} m",
-                    top, survey.altitude.Named(), altitude - (top - band))));
+  const BandView view{.object_height_max = band,
+                      .object_radius = radius ? radius->number() : 0.0,
+                      .altitude = altitude};
+  if (const auto problem = ProblemOf(view, survey.altitude.Named())) {
+    found.geometry.push_back(survey.band.Refuse(*problem));
     return false;
   }
   const Footprint footprint = survey.footprint();
@@ -84,8 +84,8 @@ void CheckFrames(const MissionReading& reading, const SurveyFacts& survey, Missi
   }
 }
 
-/// How likely the simulated detector finds an object at a range in water of this visibility.
-double DetectionChance(const MissionReading& reading, double range, double visibility) {
+/// The simulated detector.
+BoxModelConstants DetectorOf(const MissionReading& reading) {
   BoxModelConstants model;
   const auto take = [&reading](const char* key, double& value) {
     if (const auto setting = reading.Find("uSimCamera", key)) value = setting->number();
@@ -93,11 +93,21 @@ double DetectionChance(const MissionReading& reading, double range, double visib
   take("box_peak", model.peak);
   take("box_faint_at", model.faint_at);
   take("box_faint_width", model.faint_width);
-  return model.peak / (1.0 + std::exp((range / visibility - model.faint_at) / model.faint_width));
+  return model;
 }
 
-/// The vehicle finds out what the water is like, so what a mission expects of it, and what it is in
-/// a simulation, are worth a note only.
+/// How likely it finds an object at a range that is so many times the visibility.
+double ChanceAt(const BoxModelConstants& model, double range) {
+  return model.peak / (1.0 + std::exp((range - model.faint_at) / model.faint_width));
+}
+
+/// The range, in visibilities, at which it finds one with this chance. REQUIRES: below its peak.
+double RangeOf(const BoxModelConstants& model, double chance) {
+  return model.faint_at + model.faint_width * std::log(model.peak / chance - 1.0);
+}
+
+/// The vehicle finds out what the water is like, so what a mission expects of it is worth a note
+/// only.
 void CheckVisibility(const MissionReading& reading, const SurveyFacts& survey,
                      MissionProblems& found) {
   const auto expected = reading.Find("pMap", "visibility_m");
@@ -117,15 +127,25 @@ void CheckSimulatedWater(const MissionReading& reading, const SurveyFacts& surve
                          MissionProblems& found) {
   if (!reading.scenario() || !reading.Launches("uSimCamera")) return;
   constexpr double kPoor = 0.9;
+  constexpr double kNone = 0.01;  // fewer: what the survey is for is never found
+  constexpr double kFair = 0.5;   // of the frames, by what is proposed in its place
   const double visibility = reading.scenario()->water.visibility_m;
   const double altitude = survey.altitude.number();
-  const double chance = DetectionChance(reading, altitude, visibility);
-  if (chance < kPoor) {
-    found.notes.push_back(survey.altitude.Refuse(
-        fmt::format("from {:g} m an object on the seabed is found in {:.0f} % of the frames only, "
-                    "in water of visibility_m {:g} ({}:{})",
-                    altitude, 100.0 * chance, visibility, reading.InScenario("visibility_m:").file,
-                    reading.InScenario("visibility_m:").line)));
+  const BoxModelConstants model = DetectorOf(reading);
+  const double chance = ChanceAt(model, altitude / visibility);
+  if (chance >= kPoor) return;
+  const std::string text = fmt::format(
+      "from {:g} m an object on the seabed is found in {:.0f} % of the frames only, "
+      "in water of visibility_m {:g} ({}:{})",
+      altitude, 100.0 * chance, visibility, reading.InScenario("visibility_m:").file,
+      reading.InScenario("visibility_m:").line);
+  if (chance >= kNone || model.peak <= kFair) {
+    found.notes.push_back(survey.altitude.Refuse(text));
+  } else {
+    found.geometry.push_back(survey.altitude.Refuse(
+        fmt::format("{}: the survey would find nothing; allowed: up to {:.2f} m, from where it is "
+                    "found in half of them",
+                    text, visibility * RangeOf(model, kFair))));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/frames.hpp"
@@ -73,10 +74,11 @@ SurveyFrames FramesAlong(const DubinsPath& path, double speed, const Scenario& s
   return frames;
 }
 
-/// Least way there and home over all places to stop at where enough has been seen; from the path's
-/// end if that never is. Which place that is goes by the straight way home.
-double WayThereAndHome(const DubinsPath& path, const SurveyFrames& frames,
-                       const CoverageScore& coverage, const LaneSurvey& survey) {
+/// The path to the place to stop at from which home is reached soonest, of all where enough has
+/// been seen, and home; from the path's end if that never is. Which place that is goes by the
+/// straight way home.
+DubinsPath ThereAndHome(const DubinsPath& path, const SurveyFrames& frames,
+                        const CoverageScore& coverage, const LaneSurvey& survey) {
   double least = std::numeric_limits<double>::infinity();
   std::size_t stop = frames.X_WB.size() - 1;
   for (std::size_t i = frames.X_WB.size(); i-- > 0;) {
@@ -85,27 +87,43 @@ double WayThereAndHome(const DubinsPath& path, const SurveyFrames& frames,
     if (frames.path_m[i] + back < least) least = frames.path_m[i] + back, stop = i;
   }
   const double there = frames.path_m[stop];
-  const Option back = HomePath(path.At(there), survey.home, survey.region, survey.turn_radius);
-  return there + back.path.length();
+  DubinsPath whole = path.Prefix(there);
+  whole.Append(HomePath(whole.end(), survey.home, survey.region, survey.turn_radius).path);
+  return whole;
 }
 
 struct ScoredLanes {
   LanesScore score;
-  double seen = 0.0;  ///< of the band, as far as it counts
+  DubinsPath path;    ///< to where they are left, and home
+  double seen = 0.0;  ///< of the band on all lanes, as far as it counts
 };
 
 ScoredLanes ScoreOf(const FlownTour& lanes, const LaneSurvey& survey, const Scenario& scenario,
                     const ReportSettings& settings) {
   const SurveyFrames frames = FramesAlong(lanes.path, survey.speed, scenario, settings);
   const CoverageScore coverage = ScoreCoverage(frames, survey.area, scenario, settings, {});
-  const double way = WayThereAndHome(lanes.path, frames, coverage, survey);
+  DubinsPath path = ThereAndHome(lanes.path, frames, coverage, survey);
+  const double way = path.length();
   return {.score = {.passes = static_cast<int>(lanes.passes.size()),
                     .direction_deg = MoosHeadingFromYaw(lanes.passes.front().in.yaw),
                     .path_m = way,
                     .time_s = way / survey.speed,
-                    .seabed = coverage.seabed,
-                    .band = coverage.band},
+                    .seabed = {},
+                    .band = {}},
+          .path = std::move(path),
           .seen = std::min(coverage.detected_band, kLaneShare)};
+}
+
+/// Shares are of the way that is said, home included: of a tour that were flown on they would
+/// belong to no figure of it.
+LanesScore WithLevels(const ScoredLanes& lanes, const LaneSurvey& survey, const Scenario& scenario,
+                      const ReportSettings& settings) {
+  const SurveyFrames frames = FramesAlong(lanes.path, survey.speed, scenario, settings);
+  CoverageScore coverage = ScoreCoverage(frames, survey.area, scenario, settings, {});
+  LanesScore score = lanes.score;
+  score.seabed = std::move(coverage.seabed);
+  score.band = std::move(coverage.band);
+  return score;
 }
 
 bool IsBetter(const ScoredLanes& a, const ScoredLanes& b) {
@@ -133,7 +151,7 @@ std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const Pose2& start,
     ScoredLanes lanes = ScoreOf(tour, survey, scenario, settings);
     if (!best || IsBetter(lanes, *best)) best = std::move(lanes);
   }
-  return best ? std::optional<LanesScore>(best->score) : std::nullopt;
+  return best ? std::optional(WithLevels(*best, survey, scenario, settings)) : std::nullopt;
 }
 
 }  // namespace limpet

@@ -18,7 +18,7 @@ struct LanesScore {
   double direction_deg = 0.0;               ///< of the first of them, clockwise from north
   double path_m = 0.0;                      ///< start of the survey to home, inside the region
   double time_s = 0.0;                      ///< for that, as fast as the survey was on average
-  std::vector<CoverageLevel> seabed, band;  ///< as CoverageScore's
+  std::vector<CoverageLevel> seabed, band;  ///< as CoverageScore's, of that way and no more
 };
 inline constexpr double kLaneShare = 0.975;
 

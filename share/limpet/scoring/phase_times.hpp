@@ -10,9 +10,13 @@ namespace limpet {
 
 /// How long the mission manager was in one phase.
 struct PhaseTime {
-  std::string phase;  ///< ALIGN, DIVE, SURVEY, RETURN, ASCEND, FIX, DONE
+  std::string phase;  ///< ALIGN, DIVE, SURVEY, SURFACE_FIX, RETURN, ASCEND, FIX, DONE
   double seconds = 0.0;
 };
+
+/// What SURVEY was interrupted for: up to the surface and there, for a fix (BHV_SurfaceFix). The
+/// way down again is of the survey.
+inline constexpr const char* kSurfaceFixPhase = "SURFACE_FIX";
 
 /// Phases in the order in which they were first entered; one that was entered again counts once,
 /// with its whole time. The wait for DEPLOY does not count; what comes after the mission's end is

@@ -11,6 +11,7 @@
 #include "limpet/scoring/scoring_warnings.hpp"
 #include "limpet/topics/chips.hpp"
 #include "limpet/topics/simulation.hpp"
+#include "limpet/topics/surface_fix.hpp"
 
 namespace limpet {
 namespace {
@@ -143,6 +144,12 @@ void CollectPhase(SessionRecord& record, const Message& message) {
   }
 }
 
+void CollectSurfaceFix(SessionRecord& record, const Message& message) {
+  const auto is_up = Read(topics::kSurfaceFix, message);
+  const bool was_up = !record.surface_fixes.empty() && record.surface_fixes.back().value;
+  if (is_up && *is_up != was_up) record.surface_fixes.push_back({LoggedStamp(message), *is_up});
+}
+
 void CollectArea(SessionRecord& record, const Message& message) {
   if (const auto area = Read(topics::kSurveyArea, message)) record.area = area;
 }
@@ -178,6 +185,7 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
       {topics::kHelmPath.name, CollectPath},
       {topics::kHelmBids.name, CollectBids},
       {topics::kSurveyPhase.name, CollectPhase},
+      {topics::kSurfaceFix.name, CollectSurfaceFix},
       {topics::kSurveyArea.name, CollectArea},
       {topics::kSurveyHome.name, CollectHome},
       {topics::kSessionPrior.name, CollectPrior},

@@ -92,6 +92,7 @@ struct SessionRecord {
   GridRecord grid;
   std::vector<DecisionRecord> decisions;
   std::vector<Stamped<std::string>> phases;
+  std::vector<Stamped<bool>> surface_fixes;  ///< SURFACE_FIX where it changed
   std::optional<SurveyArea> area;
   std::optional<HomePoint> home;
   std::vector<WarningRecord> warnings;  ///< every one raised, in order

@@ -2,6 +2,7 @@
 #include "limpet/survey/geo_area.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <pugixml.hpp>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/harmless_text.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/units.hpp"
 
@@ -22,6 +24,8 @@ using Ring = std::vector<GeoPoint>;
 
 constexpr double kFarthest = 20e3;  ///< from the datum [m]
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kWideLittle = "\xFF\xFE", kWideBig = "\xFE\xFF";  ///< of UTF-16
+constexpr std::string_view kZip = "PK\x03\x04";
 
 bool IsOnEarth(const GeoPoint& at) {
   // Written so that what is no number is refused.
@@ -90,33 +94,103 @@ const Json& MemberOf(const Json& json, const char* name) {
   return found == json.end() ? kNull : *found;
 }
 
-std::optional<Error> AddGeometry(const Json& json, std::vector<GeoPolygon>& polygons) {
-  const Json& coordinates = json.is_object() ? MemberOf(json, "coordinates") : json;
-  if (TypeOf(json) == "Polygon") return AddPolygon(coordinates, polygons);
-  if (TypeOf(json) == "MultiPolygon" && coordinates.is_array()) {
-    for (const Json& rings : coordinates) {
-      if (auto error = AddPolygon(rings, polygons)) return error;
-    }
+/// The file's frame, if it names another than GeoJSON's: its numbers would be taken for degrees.
+std::optional<Error> ProblemOfFrame(const Json& json) {
+  constexpr std::array kKnown{"CRS84", "EPSG:4326", "EPSG::4326", "WGS84", "WGS 84", "WGS_84"};
+  constexpr auto kLenient = Json::error_handler_t::replace;
+  const Json& frame = json.is_object() ? MemberOf(json, "crs") : json;
+  if (!json.is_object() || frame.is_null()) return std::nullopt;
+  const Json& properties = frame.is_object() ? MemberOf(frame, "properties") : frame;
+  const Json& said = properties.is_object() ? MemberOf(properties, "name") : properties;
+  const std::string name =
+      said.is_string() ? said.get<std::string>() : frame.dump(-1, ' ', true, kLenient);
+  if (std::ranges::any_of(kKnown, [&](const char* known) { return name.ends_with(known); })) {
+    return std::nullopt;
   }
-  return std::nullopt;  // points and lines are other things on the map
+  return Error{fmt::format("is in the frame (crs) {}; allowed: WGS84 alone, in degrees",
+                           HarmlessText(name.substr(0, 80)))};
 }
+
+/// Takes every polygon of a GeoJSON object, however deep it lies: one that were passed over would
+/// be a part of the site that nobody surveys.
+class PolygonWalk {
+ public:
+  explicit PolygonWalk(std::vector<GeoPolygon>& polygons) : polygons_(polygons) {}
+
+  /// `where`: the object's place in the file, empty at the top.
+  std::optional<Error> Take(const Json& json, const std::string& where, int depth = 0) {
+    constexpr int kDeepest = 20;
+    constexpr std::array kOthers{"Point", "MultiPoint", "LineString", "MultiLineString"};
+    const std::string type = TypeOf(json);
+    if (auto problem = ProblemOfFrame(json)) return problem;
+    if (depth > kDeepest) return Error{"has collections in one another, deeper than any site"};
+    if (type == "FeatureCollection") return TakeEach(json, "features", where, depth);
+    if (type == "GeometryCollection") return TakeEach(json, "geometries", where, depth);
+    if (type == "Feature") {
+      const Json& geometry = MemberOf(json, "geometry");
+      return geometry.is_null() ? std::nullopt
+                                : Take(geometry, Below(where, "geometry"), depth + 1);
+    }
+    if (type == "Polygon") return AddPolygon(MemberOf(json, "coordinates"), polygons_);
+    if (type == "MultiPolygon") return TakeParts(MemberOf(json, "coordinates"));
+    if (std::ranges::find(kOthers, type) != kOthers.end()) return std::nullopt;
+    return Unknown(type, where);
+  }
+
+ private:
+  static std::string Below(const std::string& where, const std::string& member) {
+    return where.empty() ? member : where + "." + member;
+  }
+
+  static Error Unknown(const std::string& type, const std::string& where) {
+    const std::vector<std::string> known{"FeatureCollection", "Feature", "GeometryCollection",
+                                         "Polygon", "MultiPolygon"};
+    const std::string nearest = NearestWord(type, known);
+    const std::string place = where.empty() ? "an object at its top" : "`" + where + "`";
+    return Error{
+        type.empty()
+            ? fmt::format("has {} without a `type`: nobody knows whether it is of the site", place)
+            : fmt::format(
+                  "has {} of the type `{}`, which GeoJSON has not{}", place,
+                  HarmlessText(type.substr(0, 40)),
+                  nearest.empty() ? "" : fmt::format("; nearest that it has: `{}`", nearest))};
+  }
+
+  std::optional<Error> TakeEach(const Json& json, const char* member, const std::string& where,
+                                int depth) {
+    const Json& list = MemberOf(json, member);
+    const std::string place = Below(where, member);
+    if (!list.is_array()) return Error{fmt::format("has `{}`, which is no list", place)};
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (auto problem = Take(list[i], fmt::format("{}[{}]", place, i), depth + 1)) return problem;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> TakeParts(const Json& parts) {
+    if (!parts.is_array()) return Error{"has a MultiPolygon without polygons"};
+    for (const Json& rings : parts) {
+      if (auto problem = AddPolygon(rings, polygons_)) return problem;
+    }
+    return std::nullopt;
+  }
+
+  std::vector<GeoPolygon>& polygons_;
+};
 
 Expected<std::vector<GeoPolygon>> PolygonsOfJson(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return Error{"is no JSON"};
   std::vector<GeoPolygon> polygons;
-  std::optional<Error> error;
-  if (TypeOf(json) == "FeatureCollection" && MemberOf(json, "features").is_array()) {
-    for (const Json& feature : MemberOf(json, "features")) {
-      if (TypeOf(feature) != "Feature" || error) continue;
-      error = AddGeometry(MemberOf(feature, "geometry"), polygons);
+  PolygonWalk walk(polygons);
+  if (json.is_array()) {  // no GeoJSON, but what is in it shall not be called nothing
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      if (!json[i].is_object()) continue;
+      if (auto error = walk.Take(json[i], fmt::format("[{}]", i))) return *error;
     }
-  } else if (TypeOf(json) == "Feature") {
-    error = AddGeometry(MemberOf(json, "geometry"), polygons);
-  } else {
-    error = AddGeometry(json, polygons);
+  } else if (auto error = walk.Take(json, "")) {
+    return *error;
   }
-  if (error) return *error;
   return polygons;
 }
 
@@ -196,6 +270,14 @@ Expected<std::vector<GeoPolygon>> PolygonsOfKml(std::string_view text) {
 }  // namespace
 
 Expected<GeoPolygon> ParseGeoArea(std::string_view text) {
+  if (text.starts_with(kZip)) {
+    return Error{"is a ZIP archive (KMZ); allowed: the .kml file that is in it, unpacked"};
+  }
+  const std::string_view first = text.substr(0, 2);
+  const bool is_of_wide_letters = first == kWideLittle || first == kWideBig ||
+                                  (first.size() == 2 && (first[0] == '\0') != (first[1] == '\0') &&
+                                   first.find_first_of("{<[") != std::string_view::npos);
+  if (is_of_wide_letters) return Error{"is written in UTF-16; allowed: UTF-8"};
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   text = Trim(text);
   auto polygons = text.starts_with('<') ? PolygonsOfKml(text) : PolygonsOfJson(text);

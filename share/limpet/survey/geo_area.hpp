@@ -20,7 +20,8 @@ struct GeoPolygon {
 
 /// The one polygon of a text: a GeoJSON geometry, feature or collection of features, or a KML
 /// document, told apart by their first letter. The error says what is wrong: also if there are
-/// several polygons, as nobody knows which is meant, or a corner is no place on earth.
+/// several polygons, as nobody knows which is meant, something of which nobody knows whether it is
+/// one, another frame than WGS84, or a corner that is no place on earth.
 [[nodiscard]] Expected<GeoPolygon> ParseGeoArea(std::string_view text);
 
 /// On the local grid of the datum, NED [m]. The error says how far off a corner is: farther than

@@ -15,6 +15,7 @@
 #include "limpet/core/number_text.hpp"
 #include "limpet/survey/geo_area.hpp"
 #include "limpet/survey/survey_shape.hpp"
+#include "limpet/waypoints/point_list.hpp"
 
 namespace limpet {
 namespace {
@@ -30,14 +31,19 @@ std::array<Bound, 4> BoundsOf(const SurveyParams& params) {
 /// The parameter's points, made the same text whatever form the mission gives them in.
 Expected<std::vector<PlanePoint>, AreaProblem> PlacesOf(const char* key, const std::string& text) {
   const auto places = ParsePlaces(text);
-  if (!places) {
-    return AreaProblem{.key = key,
-                       .text = fmt::format("`{}` is no list of points; allowed: "
-                                           "pts={{x,y:x,y:x,y}}, x east and y north [m]",
-                                           text),
-                       .is_unreadable = true};
-  }
-  return *places;
+  if (places) return *places;
+  const std::string beside = BesidePoints(text);
+  return AreaProblem{
+      .key = key,
+      .text =
+          beside.empty()
+              ? fmt::format("`{}` is no list of points; allowed: pts={{x,y:x,y:x,y}}, x east "
+                            "and y north [m]{}",
+                            text, text.find('{') != text.rfind('{') ? ", each on its own line" : "")
+              : fmt::format("nothing would read `{}` beside the points; allowed: one "
+                            "pts={{x,y:x,y:x,y}}, and each further polygon on its own line",
+                            beside),
+      .is_unreadable = true};
 }
 
 /// Keeps the places of a polygon as text; the problem, if it is none.

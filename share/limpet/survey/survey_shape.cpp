@@ -125,7 +125,7 @@ std::optional<std::vector<PlanePoint>> ParsePlaces(std::string_view text) {
     text = text.substr(1, text.size() - 2);
   }
   const auto points = ParsePoints(text);
-  if (!points) return std::nullopt;
+  if (!points || !BesidePoints(text).empty()) return std::nullopt;
   std::vector<PlanePoint> places;
   places.reserve(points->size());
   for (const MapPoint& point : *points)

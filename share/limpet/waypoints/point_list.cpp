@@ -29,13 +29,41 @@ std::optional<MapPoint> Pair(std::string_view text) {
   return x && y ? std::optional<MapPoint>({*x, *y}) : std::nullopt;
 }
 
-/// `label,transit` and the like between points: how they are drawn.
-bool IsOfDrawing(std::string_view text) {
+/// A word for how a list of points is drawn, not where.
+bool IsDrawingWord(std::string_view word) {
   constexpr std::array kWords{"label", "source", "type", "msg", "active", "time", "duration"};
-  const std::string_view word = Trim(text.substr(0, text.find(',')));
-  return text.find(',') != std::string_view::npos &&
-         (std::ranges::any_of(kWords, [&](const char* w) { return EqualsIgnoringCase(word, w); }) ||
-          word.ends_with("_color") || word.ends_with("_size"));
+  constexpr std::array kEndings{"_color", "_size", "_transparency"};
+  return std::ranges::any_of(kWords, [&](const char* w) { return EqualsIgnoringCase(word, w); }) ||
+         std::ranges::any_of(kEndings, [&](const char* end) { return word.ends_with(end); });
+}
+
+/// `label,transit` and the like between points.
+bool IsOfDrawing(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  return comma != std::string_view::npos && IsDrawingWord(Trim(text.substr(0, comma)));
+}
+
+/// Of a text with points in braces: where they begin and end, and what is beside them.
+struct BracedPoints {
+  std::string_view before, points, behind;
+};
+/// Nothing if no `pts={...}` is whole.
+std::optional<BracedPoints> BracedPointsIn(std::string_view text) {
+  constexpr std::string_view kOpening = "pts={";
+  const std::size_t begin = text.find(kOpening);
+  if (begin == std::string_view::npos) return std::nullopt;
+  const std::size_t end = text.find('}', begin);
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::size_t inside = begin + kOpening.size();
+  return BracedPoints{.before = text.substr(0, begin),
+                      .points = text.substr(inside, end - inside),
+                      .behind = text.substr(end + 1)};
+}
+
+std::string_view WithoutQuotes(std::string_view text) {
+  text = Trim(text);
+  const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return is_quoted ? Trim(text.substr(1, text.size() - 2)) : text;
 }
 
 std::optional<std::vector<MapPoint>> Pairs(std::string_view text) {
@@ -53,15 +81,12 @@ std::optional<std::vector<MapPoint>> Pairs(std::string_view text) {
 }  // namespace
 
 std::optional<std::vector<MapPoint>> ParsePoints(std::string_view text) {
-  text = Trim(text);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-    text = Trim(text.substr(1, text.size() - 2));
-  }
-  if (const std::size_t begin = text.find("pts={"); begin != std::string_view::npos) {
-    constexpr std::size_t kOpening = 5;  // letters of `pts={`
-    const std::size_t end = text.find('}', begin);
-    if (end == std::string_view::npos) return std::nullopt;
-    return Pairs(text.substr(begin + kOpening, end - begin - kOpening));
+  text = WithoutQuotes(text);
+  if (text.find("pts={") != std::string_view::npos) {
+    const auto braced = BracedPointsIn(text);
+    // Of two polygons the second would be lost: a zone, e.g., that is then flown into.
+    const bool is_one = braced && braced->behind.find("pts=") == std::string_view::npos;
+    return is_one ? Pairs(braced->points) : std::nullopt;
   }
   for (const std::string_view word : {"pts:", "points:"}) {
     if (text.starts_with(word)) text.remove_prefix(word.size());
@@ -69,6 +94,21 @@ std::optional<std::vector<MapPoint>> ParsePoints(std::string_view text) {
   // A figure is named by a word, points begin with a number, or say how they are drawn.
   if (auto points = Pairs(text)) return points;
   return FigurePoints(text);
+}
+
+std::string BesidePoints(std::string_view text) {
+  const auto braced = BracedPointsIn(WithoutQuotes(text));
+  if (!braced) return "";
+  for (const std::string_view side : {braced->before, braced->behind}) {
+    for (const std::string& part : Split(side, ',')) {
+      const std::string_view said = Trim(part);
+      const std::size_t equals = said.find('=');
+      const bool is_read = said.empty() || (equals != std::string_view::npos &&
+                                            IsDrawingWord(Trim(said.substr(0, equals))));
+      if (!is_read) return std::string(Trim(side));
+    }
+  }
+  return "";
 }
 
 std::optional<MapPoint> ParsePoint(std::string_view text) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/topics/surface_fix.hpp"
 #include "tests/unit/apps_pMap/map_app_fixture.hpp"
 
 namespace limpet {
@@ -33,6 +34,20 @@ TEST_F(MapWarningsTest, SaysThatItFliesTooHighToSee) {
   EXPECT_THAT(LeftOutIn(app_), ::testing::HasSubstr("18 too high above the seabed"));
   Survey({.north = -10, .length = 1, .altitude = 4.0}, {});
   EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH"));
+}
+
+TEST_F(MapWarningsTest, TakesAFixInMidSurveyForNoViewThatIsTooHigh) {
+  link_.Send(app_, topics::kSurveyPhase, std::string("SURVEY"));
+  Survey({.north = -10, .length = 1, .altitude = 4.0}, {});
+  link_.Send(app_, topics::kSurfaceFix, true);
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH")) << "on the way up, and there";
+  link_.Send(app_, topics::kSurfaceFix, false);
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_FALSE(app_.warnings().contains("VIEW_TOO_HIGH")) << "on the way down again";
+  Survey({.north = -10, .length = 1, .altitude = 4.0}, {});
+  Survey({.north = -10, .length = 1, .altitude = 8.0}, {});
+  EXPECT_TRUE(app_.warnings().contains("VIEW_TOO_HIGH")) << "once it was down";
 }
 
 TEST_F(MapWarningsTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {

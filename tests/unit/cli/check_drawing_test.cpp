@@ -41,6 +41,43 @@ TEST(CheckDrawing, ShowsAnAreaThatIsNarrowerThanALetter) {
   EXPECT_THAT(text, HasSubstr("::::::::::::::::::::")) << text;
 }
 
+TEST(CheckDrawing, ShowsAZoneThatIsNarrowerThanALetter) {
+  const MissionCopy mission;
+  mission.Apply({kMoos, "#define BAND",
+                 "#define AREA pts={0,0:800,0:800,300:0,300}\n#define LONGEST 999999\n"
+                 "#define KEEP_OUT pts={100,150:700,150:700,151:100,151}\n"
+                 "#define KEEP_OUT_2 pts={-900,310:900,310:900,311:-900,311}\n#define BAND"});
+  const std::string text = Check({mission.path().string(), "--draw"}).text;
+  EXPECT_THAT(text, HasSubstr("::####################")) << text;
+}
+
+TEST(CheckDrawing, ExplainsTheLettersThatOccur) {
+  EXPECT_THAT(
+      DrawingOf("harbour"),
+      HasSubstr("\n: ground to be seen, . the rest of the operating region, # keep-out zone, "
+                "o way point of the transit, S start and home\n"));
+  EXPECT_THAT(DrawingOf("table1"), testing::Not(HasSubstr("keep-out zone,")));
+}
+
+std::string PictureOf(const char* mission) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "area.svg").string();
+  Check({std::string(LIMPET_SOURCE_DIR) + "/missions/" + mission, "--figure", file});
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+TEST(CheckDrawing, ExplainsInThePictureWhatIsDrawnAndNothingElse) {
+  const std::string harbour = PictureOf("harbour");
+  for (const char* drawn : {"area to survey", "operating region", "keep-out zone", "transit"}) {
+    EXPECT_THAT(harbour, HasSubstr(drawn));
+  }
+  const std::string plain = PictureOf("table1");
+  EXPECT_THAT(plain, HasSubstr("operating region"));
+  EXPECT_THAT(plain, testing::Not(HasSubstr("keep-out zone")));
+  EXPECT_THAT(plain, testing::Not(HasSubstr("transit")));
+}
+
 TEST(CheckDrawing, LeavesJsonWhole) {
   testing::internal::CaptureStderr();
   const std::string folder = std::string(LIMPET_SOURCE_DIR) + "/missions/harbour";

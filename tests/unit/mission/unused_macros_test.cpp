@@ -32,8 +32,9 @@ TEST_F(UnusedMacrosTest, AreNamedWithTheirLineAndTheNearestThatIsUsed) {
                                        "Community = a\n#define KEEP_OUTT pts={0,0:1,0:1,1}\n"
                                        "#include part.moos\n"));
   ASSERT_THAT(notes, SizeIs(1));
-  EXPECT_EQ(notes[0].where.line, 2);
-  EXPECT_THAT(notes[0].text, HasSubstr("`KEEP_OUTT`; nearest that is: `KEEP_OUT`"));
+  EXPECT_EQ(notes[0].problem.where.line, 2);
+  EXPECT_FALSE(notes[0].is_beyond_its_series);
+  EXPECT_THAT(notes[0].problem.text, HasSubstr("`KEEP_OUTT`; nearest that is: `KEEP_OUT`"));
 }
 
 TEST_F(UnusedMacrosTest, AreNoneOfThoseThatAnUntakenBranchADefaultOrAnotherMacroUses) {
@@ -46,6 +47,20 @@ TEST_F(UnusedMacrosTest, AreNoneOfThoseThatAnUntakenBranchADefaultOrAnotherMacro
                         "#include \"$(NAME).part\"\n"
                         "#ifdef NOWHERE\ny = $(SUM)\n#elseifdef OTHER 4 || THERE\n#endif\n")),
       IsEmpty());
+}
+
+TEST_F(UnusedMacrosTest, OfANumberedSeriesAreToldFromThoseThatOnlyHaveANumber) {
+  File("part.moos",
+       "#ifdef ZONE\na = $(ZONE)\n#endif\n#ifdef ZONE_2\na = $(ZONE_2)\n#endif\n"
+       "#ifdef ZONE_FILE\n#include $(ZONE_FILE)\n#endif\nb = $(DEPTH)\n");
+  const auto unused = UnusedMacros(File(
+      "m.moos", "#define ZONE_10 x\n#define ZONE_1 x\n#define DEPTH_2 x\n#include part.moos\n"));
+  ASSERT_THAT(unused, SizeIs(3));
+  EXPECT_TRUE(unused[0].is_beyond_its_series);
+  EXPECT_THAT(unused[0].problem.text,
+              HasSubstr("of its series these are: ZONE_2, ZONE, ZONE_FILE"));
+  EXPECT_TRUE(unused[1].is_beyond_its_series);
+  EXPECT_FALSE(unused[2].is_beyond_its_series) << "nothing reads any other number of it";
 }
 
 TEST_F(UnusedMacrosTest, AreNoneOfAFileThatIsNotThere) {

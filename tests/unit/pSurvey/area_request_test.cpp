@@ -89,10 +89,43 @@ TEST_F(AreaRequest, BeyondWhatAMissionMaySayIsRefused) {
   EXPECT_THAT(AnswerTo(app, area + ",margin=101").why,
               HasSubstr("margin_m: `101` is not allowed; allowed: 0 to 100"));
   EXPECT_THAT(AnswerTo(app, area + ",object_height_max=11").why, HasSubstr("allowed: 0 to 10"));
-  EXPECT_THAT(AnswerTo(app, area + ",object_height_max=4").why,
-              HasSubstr("nothing of the band's top would be seen; allowed: below pSurvey "
-                        "altitude_m = 4"));
+  EXPECT_THAT(
+      AnswerTo(app, area + ",object_height_max=4").why,
+      HasSubstr("object_height_max: objects may reach 4 m above the seabed, and the vehicle "
+                "flies at pSurvey altitude_m = 4; allowed: below 4 m"));
   EXPECT_TRUE(AnswerTo(app, area + ",margin=100,object_height_max=3.5").is_accepted);
+}
+
+TEST_F(AreaRequest, ForObjectsThatReachUpToTheVehicleIsRefusedAsCheckRefusesIt) {
+  AppContext context = Context();
+  context.globals = {{.key = "object_radius_m", .value = "0.5", .where = {}}};
+  SurveyApp app(context, Mission());
+  const std::string area = "area={0,0:20,0:20,20:0,20}";
+  EXPECT_THAT(AnswerTo(app, area + ",object_height_max=3.7").why,
+              HasSubstr("objects may reach 4.2 m above the seabed"));
+  EXPECT_TRUE(AnswerTo(app, area + ",object_height_max=3.4").is_accepted);
+}
+
+TEST_F(AreaRequest, WithAZoneThatWouldBeDroppedIsRefused) {
+  SurveyApp app(Context(), Mission());
+  const std::string area = "area={0,0:20,0:20,20:0,20}";
+  EXPECT_THAT(AnswerTo(app, area + ",keep_out={2,2:4,2:4,4},{9,9:12,9:12,12}").why,
+              HasSubstr("several zones are keep_out={..}{..}"));
+  EXPECT_FALSE(AnswerTo(app, area + ",keep_out={2,2:4,2:4,4} and more").is_accepted);
+  EXPECT_FALSE(AnswerTo(app, "area=pts={0,0:20,0:20,20:0,20}pts={1,1:2,1:2,2}").is_accepted);
+  EXPECT_FALSE(link_.Last(topics::kSurveyArea));
+  EXPECT_TRUE(AnswerTo(app, area + ",keep_out={2,2:4,2:4,4}{9,9:12,9:12,12}").is_accepted);
+}
+
+TEST_F(AreaRequest, WithAZoneThatTheVehicleLiesInIsRefused) {
+  SurveyApp app(Context(), Mission());
+  NavState nav{.altitude = 7.5};
+  nav.north = 3.0, nav.east = 3.0;
+  link_.Send(app, topics::kNavState, nav);
+  const std::string area = "area={0,0:20,0:20,20:0,20}";
+  EXPECT_THAT(AnswerTo(app, area + ",keep_out={2,2:6,2:6,6:2,6}").why,
+              HasSubstr("the vehicle lies in a keep-out zone"));
+  EXPECT_TRUE(AnswerTo(app, area + ",keep_out={5,5:6,5:6,6:5,6}").is_accepted);
 }
 
 TEST_F(AreaRequest, WhoseRegionDoesNotHoldItIsRefused) {

@@ -53,6 +53,21 @@ TEST(LanesScore, IsNoLessThanAreaOverSwath) {
   EXPECT_GT(WayTo(lanes->band, 0.95), 0.95 * least);
 }
 
+TEST(LanesScore, ReachesItsSharesOnTheWayThatItSays) {
+  for (const double north_max : {2.0, 6.0, 15.0}) {
+    SurveyArea area = Table1Area();
+    area.north_max = north_max;
+    const auto lanes = LanesOver(area);
+    ASSERT_TRUE(lanes);
+    for (const auto* levels : {&lanes->seabed, &lanes->band}) {
+      for (const CoverageLevel& level : *levels) {
+        EXPECT_LE(level.path_m.value_or(0.0), lanes->path_m + 1e-6) << level.level;
+      }
+    }
+    EXPECT_GT(WayTo(lanes->band, 0.95), 0.0);
+  }
+}
+
 TEST(LanesScore, GoesAroundAKeepOutZone) {
   SurveyArea area = Table1Area();
   area.keep_out = "{-4,-4:4,-4:4,4:-4,4}";

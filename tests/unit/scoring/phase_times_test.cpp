@@ -40,6 +40,35 @@ TEST(PhaseTimes, EndWithTheLastPoseOfASessionThatWasCutShort) {
   EXPECT_DOUBLE_EQ(times[0].seconds, 12.5);
 }
 
+TEST(PhaseTimes, CountWhatASurveySpentAtTheSurfaceForFixesApart) {
+  SessionRecord record = Through({{0.0, "DIVE"}, {20.0, "SURVEY"}, {620.0, "RETURN"}});
+  for (const auto& [time, text] : std::vector<std::pair<double, std::string>>{
+           {1.0, "false"}, {100.0, "true"}, {132.0, "false"}, {300.0, "true"}, {332.0, "false"}}) {
+    record.Collect(Message{.name = "SURFACE_FIX",
+                           .value = text,
+                           .time = Seconds(time),
+                           .source = "pHelm",
+                           .source_aux = "",
+                           .community = ""});
+  }
+  EXPECT_TRUE(SessionRecord::Listens("SURFACE_FIX"));
+  const auto times = TimesOfPhases(record, Seconds(700.0));
+  ASSERT_EQ(times.size(), 4U);
+  EXPECT_DOUBLE_EQ(times[1].seconds, 600.0 - 64.0);
+  EXPECT_EQ(times[2].phase, "SURFACE_FIX");
+  EXPECT_DOUBLE_EQ(times[2].seconds, 64.0);
+}
+
+TEST(PhaseTimes, EndAStayThatTheSurveyEndsIn) {
+  SessionRecord record = Through({{0.0, "SURVEY"}, {50.0, "ASCEND"}});
+  record.surface_fixes = {{Seconds(40.0), true}};
+  const auto times = TimesOfPhases(record, Seconds(60.0));
+  ASSERT_EQ(times.size(), 3U);
+  EXPECT_DOUBLE_EQ(times[0].seconds, 40.0);
+  EXPECT_DOUBLE_EQ(times[1].seconds, 10.0);
+  EXPECT_DOUBLE_EQ(times[2].seconds, 10.0);
+}
+
 TEST(PhaseTimes, AreNoneWhereNoPhaseIsKnown) {
   EXPECT_TRUE(TimesOfPhases(Through({}), Seconds(10.0)).empty());
 }

@@ -106,5 +106,70 @@ TEST(GeoArea, SaysWhatIsWrongWithAFile) {
               HasSubstr("longitude,latitude"));
 }
 
+/// A polygon of GeoJSON, and one of another place.
+constexpr std::string_view kHere =
+    R"({"type":"Polygon","coordinates":[[[10,43],[11,43],[11,44]]]})";
+constexpr std::string_view kThere =
+    R"({"type":"Polygon","coordinates":[[[12,43],[13,43],[13,44]]]})";
+
+std::string FeatureOf(std::string_view geometry) {
+  return R"({"type":"Feature","properties":{},"geometry":)" + std::string(geometry) + "}";
+}
+std::string CollectionOf(const std::string& features) {
+  return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+std::string GeometriesOf(std::string_view geometries) {
+  return R"({"type":"GeometryCollection","geometries":[)" + std::string(geometries) + "]}";
+}
+
+TEST(GeoArea, IsFoundHoweverDeepItLies) {
+  for (const std::string& text :
+       {GeometriesOf(kHere), FeatureOf(GeometriesOf(kHere)), CollectionOf(std::string(kHere)),
+        CollectionOf(FeatureOf(GeometriesOf(GeometriesOf(kHere)))),
+        CollectionOf(FeatureOf("null") + "," + FeatureOf(kHere)), "[" + FeatureOf(kHere) + "]"}) {
+    const auto area = ParseGeoArea(text);
+    ASSERT_TRUE(area) << text << ": " << area.error().text;
+    EXPECT_EQ(area->outline.size(), 3U);
+  }
+}
+
+TEST(GeoArea, LosesNoPartOfASite) {
+  const std::string first = FeatureOf(kHere) + ",";
+  for (const std::string& second :
+       {std::string(kThere), FeatureOf(GeometriesOf(kThere)), GeometriesOf(kThere)}) {
+    EXPECT_THAT(GeoProblemOf(CollectionOf(first + second)), HasSubstr("has 2 polygons"));
+  }
+  EXPECT_THAT(GeoProblemOf(CollectionOf(first + R"({"properties":{},"geometry":null})")),
+              HasSubstr("has `features[1]` without a `type`"));
+  EXPECT_THAT(GeoProblemOf(CollectionOf(
+                  first + FeatureOf(R"({"type":"polygon","coordinates":[[[1,1],[2,1],[2,2]]]})"))),
+              HasSubstr("has `features[1].geometry` of the type `polygon`, which GeoJSON has not; "
+                        "nearest that it has: `Polygon`"));
+  EXPECT_THAT(GeoProblemOf(R"({"type":"FeatureCollection"})"),
+              HasSubstr("has `features`, which is no list"));
+}
+
+TEST(GeoArea, IsInDegreesOfWgs84Alone) {
+  const auto in_frame = [](const std::string& name) {
+    return GeoProblemOf(
+        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":")" + name +
+        R"("}},"features":[)" + std::string(kHere) + "]}");
+  };
+  for (const char* known :
+       {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "urn:ogc:def:crs:EPSG::4326"}) {
+    EXPECT_EQ(in_frame(known), "") << known;
+  }
+  for (const char* other : {"EPSG:4258", "urn:ogc:def:crs:EPSG::3857", "EPSG:32632"}) {
+    EXPECT_THAT(in_frame(other), HasSubstr(std::string("frame (crs) ") + other)) << other;
+  }
+}
+
+TEST(GeoArea, OfAFileThatIsNoTextSaysWhatItIs) {
+  EXPECT_THAT(GeoProblemOf(std::string("PK\x03\x04\x14\0", 6)),
+              HasSubstr("is a ZIP archive (KMZ); allowed: the .kml file"));
+  EXPECT_THAT(GeoProblemOf(std::string("\xFF\xFE{\0", 4)), HasSubstr("is written in UTF-16"));
+  EXPECT_THAT(GeoProblemOf(std::string("\0{", 2)), HasSubstr("is written in UTF-16"));
+}
+
 }  // namespace
 }  // namespace limpet
