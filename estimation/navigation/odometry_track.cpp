@@ -140,13 +140,14 @@ void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) 
     bridge_end_ = BridgeEnd{.t = t, .length = *age, .yaw = yaw};
   }
   if (!bridge_end_ || t - bridge_end_->t > kBridgeEnd) return;
-  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, ConductOf(sample));
+  const Conduct conduct = ConductOf(sample);
+  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, conduct);
   const Eigen::Vector2d measured = (sample.R_DB * v_dvl_B).head<2>();
   BridgeEnd& end = *bridge_end_;
   ++end.count;
   end.off_H += (Eigen::Rotation2Dd(-yaw) * (bridged - measured) - end.off_H) / end.count;
   const double white = params_.velocity_noise * params_.velocity_noise / end.count;
-  end.variance_H = bridging_->EndVariance(end.length).array() + white;
+  end.variance_H = bridging_->EndVariance(end.length, conduct).array() + white;
 }
 
 void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {

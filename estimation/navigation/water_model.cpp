@@ -189,6 +189,10 @@ Eigen::Vector2d WaterModel::DrivenVariance(const Conduct& conduct) const {
   return (params_.driven_change * (*conduct.driven_B - before)).cwiseAbs2();
 }
 
+double WaterModel::UntrueShare() const {
+  return Squared(params_.driven_change) + P_(kDriven, kDriven);
+}
+
 Eigen::Matrix3d WaterModel::BridgeCovariance(double t, const Conduct& conduct) const {
   const Covariance P = CovarianceAt(t, conduct);
   Eigen::Matrix<double, 3, 6> parts = Eigen::Matrix<double, 3, 6>::Zero();
@@ -209,9 +213,8 @@ BridgeDrift WaterModel::BridgeChange(double seconds, const Conduct& from, const 
   BridgeDrift drift{.current_change = params_.current_walk * std::sqrt(seconds)};
   double variance = Squared(params_.speed_walk) * seconds;
   if (to.driven_B) {
-    const double share = Squared(params_.driven_change) + P_(kDriven, kDriven);
     const double before = from.driven_B.value_or(Eigen::Vector2d::Zero()).x();
-    variance += share * Squared(to.driven_B->x() - before);
+    variance += UntrueShare() * Squared(to.driven_B->x() - before);
   } else if (const double untold = UntoldSpeed(); untold > 0.0) {
     drift.speed_kept = std::sqrt(1.0 - LostIn(seconds));
     variance += LostIn(seconds) * Squared(untold);
@@ -236,11 +239,14 @@ double WaterModel::LostIn(double seconds) const {
   return 1.0 - std::exp(-2.0 * seconds / params_.conduct_memory.value());
 }
 
-Eigen::Vector2d WaterModel::EndVariance(double seconds) const {
+Eigen::Vector2d WaterModel::EndVariance(double seconds, const Conduct& conduct) const {
   const double untold = UntoldSpeed();
   const double ahead =
       untold > 0.0 ? Squared(untold) * LostIn(kShortStretch) / 3.0 : ManeuverVariance(seconds);
-  return Eigen::Vector2d(ahead, 0.0).array() + 0.3 * error_variance_;
+  Eigen::Vector2d variance = Eigen::Vector2d(ahead, 0.0).array() + 0.3 * error_variance_;
+  if (driven_B_ && conduct.driven_B)
+    variance += UntrueShare() * (*conduct.driven_B - *driven_B_).cwiseAbs2();
+  return variance;
 }
 
 WaterState WaterModel::StateAt(double t, const Conduct& conduct) const {

@@ -112,8 +112,9 @@ class WaterModel {
   [[nodiscard]] double BridgeNoise(const Conduct& conduct) const;
 
   /// Variance of each of ahead and abeam of what the error of a bridge of `seconds` is at its end,
-  /// beside what it was all along [m^2/s^2].
-  [[nodiscard]] Eigen::Vector2d EndVariance(double seconds) const;
+  /// beside what it was all along [m^2/s^2]: a vehicle that is told another speed by then tells
+  /// little of the bridge.
+  [[nodiscard]] Eigen::Vector2d EndVariance(double seconds, const Conduct& conduct) const;
 
   [[nodiscard]] WaterState StateAt(double t, const Conduct& conduct) const;
   /// False until a first velocity has come.
@@ -147,6 +148,8 @@ class WaterModel {
   [[nodiscard]] double LostIn(double seconds) const;
   void LearnHabit(double t);
   [[nodiscard]] double AgeAt(double t) const;
+  /// Share of a change of what the thrusters make that may be untrue, squared.
+  [[nodiscard]] double UntrueShare() const;
   /// Of speed ahead and abeam, since the last velocity: what the thrusters' sheet may be off.
   [[nodiscard]] Eigen::Vector2d DrivenVariance(const Conduct& conduct) const;
   /// Of the speed ahead: what it may have been told to change.

@@ -241,6 +241,13 @@ TEST_F(DrivenWaterModelTest, DoubtsAChangeOfTheCommandsByAShare) {
   EXPECT_LT(model_.BridgeStretch(before, conduct_), model_.BridgeStretch(conduct_, conduct_));
 }
 
+TEST_F(DrivenWaterModelTest, AVehicleThatStartsAsADropoutEndsTellsLittleOfIt) {
+  Survey(60.0, 0.0);
+  EXPECT_LT(model_.EndVariance(40.0, conduct_).x(), 0.01 * 0.01);
+  Survey(12.0, 0.5, false);
+  EXPECT_GT(model_.EndVariance(40.0, conduct_).x(), 0.1 * 0.1);
+}
+
 TEST_F(DrivenWaterModelTest, CommandsTellTheSpeedBeforeAnyVelocity) {
   Survey(30.0, 0.5, false);
   EXPECT_LT(BridgeError().norm(), 0.5);
