@@ -58,6 +58,9 @@ void NavApp::WatchSensors(double now) {
   }
   watch(warnings::kGpsRefused, refused_fix_.IsFresh(now, kRefusedFixPause),
         "fixes lie metres from where dead reckoning and the others have the vehicle");
+  const auto reading = navigator_.surface_reading();
+  watch(warnings::kDepthNotZeroed, reading.has_value(),
+        "it reads a depth where fixes come, which no antenna is at");
   const auto deviation = navigator_.compass_deviation();
   watch(warnings::kCompassDeviates, deviation && deviation->is_too_large,
         "the compass is off by more than its data sheet admits");

@@ -71,6 +71,17 @@ inline const WarningId kGpsRefused = DeclareWarning(
                "fixes before the dive.",
      .clears = "10 s after the last such fix."});
 
+inline const WarningId kDepthNotZeroed = DeclareWarning(
+    "DEPTH_NOT_ZEROED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "Ten fixes in a row have come while the depth sensor read a depth that no antenna "
+                "is out of the water at: it was not zeroed, or tells the absolute pressure (10 m "
+                "at the surface). It is believed all the same: all depths are off by that.",
+     .action = "Zero the depth sensor at the surface before the dive; see antenna_m of the "
+               "vehicle's file.",
+     .clears = "With a fix at a depth of the surface."});
+
 inline const WarningFamily kAidingSilent = DeclareWarningFamily(
     "AIDING_SILENT_<SOURCE>",
     {.severity = Severity::kWarning,

@@ -58,7 +58,12 @@ std::optional<Term> DepthErrors::Surfaced(double t) {
   const double z = smoother_.PoseAt(smoother_.graph().node_count() - 1)(kNavZ);
   const double doubt = std::hypot(std::sqrt(std::max(smoother_.Covariance({})(kNavZ, kNavZ), 0.0)),
                                   params_.surface_depth_sigma.value(), kWaves);
-  if (std::abs(z - params_.surface_depth.value()) > kSurfaceSigmas * doubt) return std::nullopt;
+  if (std::abs(z - params_.surface_depth.value()) > kSurfaceSigmas * doubt) {
+    ++deep_fixes_;
+    deep_z_ = z;
+    return std::nullopt;
+  }
+  deep_fixes_ = 0;
   const double since = std::clamp(t - surfaced_t_, 0.1, kWavePeriod);
   surfaced_t_ = t;
   const Meters sigma(kWaves * std::sqrt(kWavePeriod / since));

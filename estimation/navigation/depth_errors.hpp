@@ -28,14 +28,22 @@ class DepthErrors {
   /// The antenna is out of the water, at the smoother's newest pose; nothing if that pose lies
   /// where it cannot be.
   [[nodiscard]] std::optional<Term> Surfaced(double t);
+  /// The depth [m] that fixes have come from lately, if no antenna is out of the water there: the
+  /// sensor was not zeroed.
+  [[nodiscard]] std::optional<double> surface_reading() const {
+    return deep_fixes_ >= kEnoughDeepFixes ? std::optional(deep_z_ + Bias()) : std::nullopt;
+  }
 
  private:
+  static constexpr int kEnoughDeepFixes = 10;  ///< in a row
   int SlotAt(double t);
 
   const NavigatorParams& params_;
   Smoother& smoother_;
   std::optional<int> slot_;
   double since_ = 0.0, surfaced_t_ = kLongAgo;
+  int deep_fixes_ = 0;   ///< in a row
+  double deep_z_ = 0.0;  ///< of the last of them [m]
 };
 
 }  // namespace limpet

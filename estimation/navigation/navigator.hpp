@@ -83,6 +83,12 @@ class Navigator {
   [[nodiscard]] std::optional<double> attitude_time() const;
   /// True once the chain has its first pose.
   [[nodiscard]] bool has_started() const { return chain_.has_begun(); }
+  /// True once a fix was believed: else places count from the start, and that is anywhere.
+  [[nodiscard]] bool has_fix() const { return chain_.has_fix(); }
+  /// What the depth sensor reads where fixes come, if that is not the surface [m].
+  [[nodiscard]] std::optional<double> surface_reading() const {
+    return chain_.depth_errors().surface_reading();
+  }
   /// REQUIRES: has_started(), and t no older than the chain's head.
   [[nodiscard]] NavigatorEstimate Estimate(double t) const {
     return EstimateAt(t, chain_, smoother_, measurements_);

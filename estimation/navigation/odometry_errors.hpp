@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include <Eigen/Core>
@@ -49,14 +50,29 @@ class OdometryErrors {
   int SlowAt(double t);
   /// In a dropout: slot of what current and speed through the water are off.
   int BridgeAt(double t);
+  /// A part of a dropout in which current and speed are off by the same.
+  struct Stretch {
+    int slot;
+    double since;  ///< [s]
+    Conduct began;
+    BridgeDrift drift{};  ///< to the next
+  };
+  void BeginStretch(const Stretch& stretch);
+  [[nodiscard]] Term TermToNext(std::size_t stretch, const Eigen::Vector3d& besides) const;
   /// Out of the dropout: what the first velocities say of the bridge, once they have come.
   void ConcludeBridge(double t);
+  void UseEnd(const BridgeEnd& end);
+  /// Believes in changes of this variance more, from stretch to stretch and from its start on.
+  void WidenBridge(const Eigen::Vector3d& variance);
   void EndBridge();
 
   const NavigatorParams& params_;
   Smoother& smoother_;
   const OdometryTrack& track_;
-  std::optional<Variable> slow_, bridge_;
+  std::optional<Variable> slow_;
+  std::deque<Stretch> bridge_;  ///< the newest of this dropout
+  /// Of the first of them; nothing once that is none of the newest.
+  std::optional<Eigen::Matrix3d> bridge_start_;
   std::optional<int> mount_;
 };
 

@@ -17,6 +17,7 @@ constexpr double kDropoutAge = 0.5;            // [s] without velocity before it
 constexpr double kDropoutPeriods = 2.4;        // and so many of the DVL's periods
 constexpr double kOpenEnd = 15.0;         // [s] after a dropout in which its end may be another one
 constexpr double kBridgeEnd = 2.0;        // [s] of velocities that a bridge is held against
+constexpr double kSinkSigma = 0.1;        // [m/s] of how fast the vehicle sinks, by its depths
 constexpr double kTurnMemory = 0.2;       // [s] over which a rate of turning is averaged
 constexpr double kAttitudeGap = 2.0;      // [s] in which the vehicle does not turn away
 constexpr double kUnknownTurnRate = 0.3;  // [rad/s] 1-sigma of a turn that nobody measures
@@ -129,7 +130,7 @@ void OdometryTrack::ReopenBridgeEnd() {
 }
 
 void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) {
-  if (is_empty() || !accepted_t_) return;
+  if (is_empty()) return;
   const Sample sample = SampleAt(t);
   const double yaw = sample.attitude.yaw;
   // While the last one's end is open, what was refused for a moment is no dropout.
@@ -139,13 +140,14 @@ void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) 
     bridge_end_ = BridgeEnd{.t = t, .length = *age, .yaw = yaw};
   }
   if (!bridge_end_ || t - bridge_end_->t > kBridgeEnd) return;
-  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, ConductOf(sample));
+  const Conduct conduct = ConductOf(sample);
+  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, conduct);
   const Eigen::Vector2d measured = (sample.R_DB * v_dvl_B).head<2>();
   BridgeEnd& end = *bridge_end_;
   ++end.count;
   end.off_H += (Eigen::Rotation2Dd(-yaw) * (bridged - measured) - end.off_H) / end.count;
   const double white = params_.velocity_noise * params_.velocity_noise / end.count;
-  end.variance_H = bridging_->EndVariance(end.length).array() + white;
+  end.variance_H = bridging_->EndVariance(end.length, conduct).array() + white;
 }
 
 void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {
@@ -330,7 +332,9 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
                     unknown(params_.unknown_velocity, a.unknown_way, b.unknown_way) + 1e-6;
   // Attitude errors tilt the track: its depth is worth little, the depth sensor's much, which
   // goes on when there is no velocity.
-  const double z = white + bridge + unknown(params_.unknown_sink, a.unattended, b.unattended) +
+  const double sunk = kSinkSigma * step.duration;  // in a dropout depths tell how fast it sinks
+  const double z = white + std::min(bridge, sunk * sunk) +
+                   unknown(params_.unknown_sink, a.unattended, b.unattended) +
                    5e-5 * step.duration + 1e-6;
   step.variance << xy, xy, z, yaw_rate_variance * step.duration + 1e-9;
   return step;

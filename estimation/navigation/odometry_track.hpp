@@ -105,6 +105,9 @@ class OdometryTrack {
   /// A fix at `t` [s] has shown where the vehicle is: silence begins anew.
   void NoteFix(double t) { fix_t_ = std::max(fix_t_.value_or(t), t); }
 
+  /// The vehicle is at the surface at `t` [s]: what it does there is no habit of its dive.
+  void NoteSurface(double t) { water_.NoteSurface(t); }
+
   /// Rate of depth [m/s] that stands in for the vertical velocity in a dropout.
   void SetSinkRate(double rate) { sink_rate_ = rate; }
 

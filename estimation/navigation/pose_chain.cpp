@@ -157,6 +157,7 @@ PoseChain::FixUse PoseChain::AddFix(const PositionFix& of_antenna) {
     smoother_.AddTerm(node, *std::move(surfaced));
   }
   measurements_.track().NoteFix(fix.t);
+  measurements_.track().NoteSurface(fix.t);
   smoother_.Update();
   return FixUse::kTaken;
 }

@@ -33,6 +33,8 @@ class PoseChain {
   int NodeAt(double t);
   FixUse AddFix(const PositionFix& of_antenna);
 
+  /// True once a fix was believed: places do not count from the start alone.
+  [[nodiscard]] bool has_fix() const { return has_fix_; }
   [[nodiscard]] bool has_begun() const { return !times_.empty(); }
   [[nodiscard]] int size() const { return static_cast<int>(times_.size()); }
   [[nodiscard]] double TimeOf(int node) const { return times_[static_cast<std::size_t>(node)]; }

@@ -76,6 +76,7 @@ void BelieveMounting(const SensorSheets& sheets, NavigatorParams& params) {
 
 void BelieveHull(const VehicleParams& vehicle, NavigatorParams& params) {
   params.antenna_B = vehicle.antenna_B;
+  params.odometry.water.speed_sigma = 0.5 * vehicle.top_speed.value();
   // Anywhere between the body's origin and the antenna at the surface, alike.
   const double height = std::max(-vehicle.antenna_B.z(), 0.0);
   params.surface_depth = Meters(TwoDigits(0.5 * height));

@@ -23,7 +23,8 @@ void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params);
 /// Sets how well camera, DVL and gyro are known to sit, run and scale: what is not is estimated.
 void BelieveMounting(const SensorSheets& sheets, NavigatorParams& params);
 
-/// Sets where the antenna is, and so how deep the body lies where fixes come.
+/// Sets where the antenna is, and so how deep the body lies where fixes come; and how fast a
+/// vehicle may go of which nobody knows what it was told.
 void BelieveHull(const VehicleParams& vehicle, NavigatorParams& params);
 
 /// How hull and thrusters answer to commands, as the vehicle's file says; how much of it is true is

@@ -13,6 +13,11 @@ namespace {
 enum Index { kAhead, kAbeam, kSwayPerRate, kNorth, kEast, kDriven };
 
 constexpr double kPause = 1.5;     // [s] without velocity that end a trial
+constexpr double kGone = 0.2;      // share of speed_sigma from which a vehicle is under way
+constexpr double kStanding = 0.5;  // share of its usual speed below which a vehicle stands
+constexpr double kChange = 0.05;   // [m/s] of what the thrusters make: another stretch of a bridge
+constexpr double kLongStretch = 10.0, kShortStretch = 5.0;  // [s]
+constexpr double kBridgeNoise = 0.01;                       // [m/sqrt(s)]
 constexpr double kSurprise = 9.0;  // squared innovation over covariance, of two: 1 in 90
 
 double Squared(double x) { return x * x; }
@@ -26,12 +31,16 @@ WaterModel::WaterModel(const WaterParams& params, double arm)
 
 void WaterModel::Begin(bool is_driven) {
   x_ << 0.0, 0.0, arm_, 0.0, 0.0, 1.0;
+  P_ = FirstCovariance(is_driven);
+  trial_.reset();
+}
+
+WaterModel::Covariance WaterModel::FirstCovariance(bool is_driven) const {
   State sigma;
   sigma << (is_driven ? params_.beside_driven : params_.speed_sigma),
       (is_driven ? params_.beside_driven : params_.drift_sigma), params_.sway_sigma,
       params_.current_sigma, params_.current_sigma, params_.driven_sigma;
-  P_ = sigma.cwiseAbs2().asDiagonal();
-  trial_.reset();
+  return sigma.cwiseAbs2().asDiagonal();
 }
 
 WaterModel::Observation WaterModel::ObservationOf(const Conduct& conduct) {
@@ -67,10 +76,13 @@ WaterModel::Covariance WaterModel::CovarianceAt(double t) const {
   return P;
 }
 
+WaterModel::Covariance WaterModel::CovarianceAt(double t, const Conduct& conduct) const {
+  return t_ || !conduct.driven_B ? CovarianceAt(t) : FirstCovariance(true);
+}
+
 void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduct) {
   if (conduct.driven_B && !driven_B_)
     Begin(true);  // else the speed was taken for the vehicle's own
-  const double dt = AgeAt(t);
   P_ = CovarianceAt(t);
   const Eigen::Vector2d change = DrivenVariance(conduct);
   P_(kAhead, kAhead) += change.x();
@@ -92,12 +104,32 @@ void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduc
   const Covariance rest = Covariance::Identity() - K * H;
   P_ = (rest * P_ * rest.transpose() + K * R * K.transpose()).eval();
   Try(t, v_H, H);
-  const double share = t_ ? std::min(dt, 1.0) / params_.usual_memory.value() : 1.0;
+  LearnHabit(t);
+  t_ = t;
+  driven_B_ = conduct.driven_B;
+}
+
+void WaterModel::LearnHabit(double t) {
+  if (!departed_) departed_ = t;
+  // No longer than it has been under way.
+  const double under_way = t - *departed_;
+  const double memory = std::clamp(under_way, 1.0, params_.usual_memory.value());
+  const double share = t_ ? std::min(AgeAt(t), 1.0) / memory : 1.0;
   const double off_usual = x_(kAhead) - usual_;
   spread_ += t_ ? share * (Squared(off_usual) - spread_) : 0.0;
   usual_ += share * off_usual;
-  t_ = t;
-  driven_B_ = conduct.driven_B;
+  if (under_way > 0.5 * params_.departure.value()) fastest_ = std::max(fastest_, std::abs(usual_));
+}
+
+double WaterModel::UntoldSpeed() const {
+  if (driven_B_) return 0.0;
+  if (!t_) return params_.speed_sigma;
+  const bool is_departing = *t_ - *departed_ < params_.departure.value();
+  const bool has_gone = fastest_ > kGone * params_.speed_sigma;
+  const double cruise =
+      is_departing || !has_gone ? std::max(params_.speed_sigma, fastest_) : fastest_;
+  const double usual = std::abs(usual_);
+  return usual < kStanding * cruise ? cruise - usual : 0.0;
 }
 
 void WaterModel::Try(double t, const Eigen::Vector2d& v_H, const Observation& H) {
@@ -119,8 +151,10 @@ void WaterModel::Try(double t, const Eigen::Vector2d& v_H, const Observation& H)
 }
 
 double WaterModel::ManeuverVariance(double seconds) const {
+  if (driven_B_ || !t_) return 0.0;
   const double reached = Squared(params_.maneuver_mps2 * seconds);
-  return driven_B_ ? 0.0 : std::min(Squared(params_.maneuver_share) * spread_, reached);
+  const double told = Squared(params_.maneuver_share) * spread_ + Squared(UntoldSpeed());
+  return std::min(told, reached);
 }
 
 double WaterModel::KeepAt(double t) const {
@@ -129,6 +163,7 @@ double WaterModel::KeepAt(double t) const {
 
 double WaterModel::SpeedAt(double t) const {
   if (driven_B_) return KeepAt(t) * x_(kAhead);
+  if (UntoldSpeed() > 0.0) return x_(kAhead);  // there is no habit to fall back to
   const double off = x_(kAhead) - usual_;
   const double target = usual_ + std::clamp(off, -params_.usual_band, params_.usual_band);
   return target + std::exp(-AgeAt(t) / params_.excursion_memory.value()) * (x_(kAhead) - target);
@@ -143,18 +178,23 @@ Eigen::Vector2d WaterModel::VelocityAt(double t, const Conduct& conduct) const {
 
 double WaterModel::VarianceAt(double t, const Conduct& conduct) const {
   const Observation H = ObservationOf(conduct);
-  const Eigen::Matrix2d of_state = H * CovarianceAt(t) * H.transpose();
+  const Eigen::Matrix2d of_state = H * CovarianceAt(t, conduct) * H.transpose();
   return 0.5 * of_state.trace() + error_variance_ + ManeuverVariance(AgeAt(t)) +
          0.25 * Squared(x_(kAhead) - SpeedAt(t)) + 0.5 * DrivenVariance(conduct).sum();
 }
 
 Eigen::Vector2d WaterModel::DrivenVariance(const Conduct& conduct) const {
-  if (!driven_B_ || !conduct.driven_B) return Eigen::Vector2d::Zero();
-  return (params_.driven_change * (*conduct.driven_B - *driven_B_)).cwiseAbs2();
+  if (!conduct.driven_B || (t_ && !driven_B_)) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d before = driven_B_.value_or(Eigen::Vector2d::Zero());
+  return (params_.driven_change * (*conduct.driven_B - before)).cwiseAbs2();
+}
+
+double WaterModel::UntrueShare() const {
+  return Squared(params_.driven_change) + P_(kDriven, kDriven);
 }
 
 Eigen::Matrix3d WaterModel::BridgeCovariance(double t, const Conduct& conduct) const {
-  const Covariance P = CovarianceAt(t);
+  const Covariance P = CovarianceAt(t, conduct);
   Eigen::Matrix<double, 3, 6> parts = Eigen::Matrix<double, 3, 6>::Zero();
   parts(0, kNorth) = parts(1, kEast) = parts(2, kAhead) = 1.0;
   parts(2, kDriven) = conduct.driven_B.value_or(Eigen::Vector2d::Zero()).x();
@@ -168,13 +208,45 @@ Eigen::Matrix3d WaterModel::BridgeCovariance(double t, const Conduct& conduct) c
   return bridge;
 }
 
-Eigen::Vector3d WaterModel::BridgeChange(double seconds) const {
-  return std::sqrt(seconds) *
-         Eigen::Vector3d(params_.current_walk, params_.current_walk, params_.speed_walk);
+// Commands tell how the speed changes, but for a share; without them one that stands may start.
+BridgeDrift WaterModel::BridgeChange(double seconds, const Conduct& from, const Conduct& to) const {
+  BridgeDrift drift{.current_change = params_.current_walk * std::sqrt(seconds)};
+  double variance = Squared(params_.speed_walk) * seconds;
+  if (to.driven_B) {
+    const double before = from.driven_B.value_or(Eigen::Vector2d::Zero()).x();
+    variance += UntrueShare() * Squared(to.driven_B->x() - before);
+  } else if (const double untold = UntoldSpeed(); untold > 0.0) {
+    drift.speed_kept = std::sqrt(1.0 - LostIn(seconds));
+    variance += LostIn(seconds) * Squared(untold);
+  }
+  drift.speed_change = std::sqrt(variance);
+  return drift;
 }
 
-Eigen::Vector2d WaterModel::EndVariance(double seconds) const {
-  return Eigen::Vector2d(ManeuverVariance(seconds), 0.0).array() + 0.3 * error_variance_;
+double WaterModel::BridgeStretch(const Conduct& from, const Conduct& to) const {
+  if (!to.driven_B) return UntoldSpeed() > 0.0 ? kShortStretch : kLongStretch;
+  const double before = from.driven_B.value_or(Eigen::Vector2d::Zero()).x();
+  return std::abs(to.driven_B->x() - before) > kChange ? kShortStretch : kLongStretch;
+}
+
+// What changes within a stretch, as if it came at any time of it.
+double WaterModel::BridgeNoise(const Conduct& conduct) const {
+  const double untold = conduct.driven_B ? 0.0 : UntoldSpeed();
+  return std::hypot(kBridgeNoise, untold * std::sqrt(LostIn(kShortStretch) * kShortStretch / 3.0));
+}
+
+double WaterModel::LostIn(double seconds) const {
+  return 1.0 - std::exp(-2.0 * seconds / params_.conduct_memory.value());
+}
+
+Eigen::Vector2d WaterModel::EndVariance(double seconds, const Conduct& conduct) const {
+  const double untold = UntoldSpeed();
+  const double ahead =
+      untold > 0.0 ? Squared(untold) * LostIn(kShortStretch) / 3.0 : ManeuverVariance(seconds);
+  Eigen::Vector2d variance = Eigen::Vector2d(ahead, 0.0).array() + 0.3 * error_variance_;
+  if (driven_B_ && conduct.driven_B)
+    variance += UntrueShare() * (*conduct.driven_B - *driven_B_).cwiseAbs2();
+  return variance;
 }
 
 WaterState WaterModel::StateAt(double t, const Conduct& conduct) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include <Eigen/Core>
@@ -15,7 +16,9 @@ struct WaterParams {
   /// 1-sigma of a bottom-track velocity about this model [m/s]: the sensor's noise (0.01) and what
   /// hull and waves do besides.
   double velocity_noise = 0.02;
-  double speed_sigma = 0.5;     ///< of the speed ahead through the water, at first [m/s]
+  /// Of the speed ahead through the water, at first, and of a vehicle that stands and may go [m/s]:
+  /// what it may have been told, half its top speed.
+  double speed_sigma = 0.5;
   double speed_walk = 0.0005;   ///< and its random walk [m/s/sqrt(s)]
   double drift_sigma = 0.008;   ///< of the speed abeam through the water [m/s]
   Seconds drift_memory{600.0};  ///< after which that is another
@@ -41,6 +44,10 @@ struct WaterParams {
   /// of its spread about the usual one, reached at this rate [m/s^2].
   double maneuver_share = 0.6;
   double maneuver_mps2 = 0.05;
+  /// Who stands at the surface, or below half the speed it had before, is about to go: nobody knows
+  /// when, nor how fast. So is one that came from there so lately, or of which no velocity was
+  /// measured yet. It then does the same for about this long.
+  Seconds departure{60.0}, conduct_memory{30.0};
   Seconds usual_memory{60.0};     ///< over which the usual speed through the water is averaged
   double usual_band = 0.1;        ///< a speed further from the usual one is not held for long [m/s]
   Seconds excursion_memory{4.0};  ///< in which it comes back that near
@@ -52,6 +59,13 @@ struct WaterParams {
 struct Conduct {
   double yaw = 0.0, rate = 0.0;
   std::optional<Eigen::Vector2d> driven_B{};
+};
+
+/// How what a bridge is off goes on: 1-sigma of what comes to current north and east, and to speed
+/// ahead [m/s], and which share of the latter is left.
+struct BridgeDrift {
+  double current_change = 0.0, speed_change = 0.0;
+  double speed_kept = 1.0;
 };
 
 /// Current (north, east) and speed ahead through the water, as estimated [m/s], with 1-sigma.
@@ -79,6 +93,9 @@ class WaterModel {
   /// Velocity of the DVL over ground [m/s], ahead and abeam in the levelled heading frame.
   void Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduct);
 
+  /// The vehicle is at the surface at `t`, says a fix: what it does there is no habit.
+  void NoteSurface(double t) { departed_ = std::max(departed_.value_or(t), t); }
+
   /// Velocity of the DVL over ground [m/s] at `t`, north and east, for when nothing measures it.
   [[nodiscard]] Eigen::Vector2d VelocityAt(double t, const Conduct& conduct) const;
   /// Variance of each axis of VelocityAt, their mean [m^2/s^2].
@@ -86,12 +103,18 @@ class WaterModel {
   /// Of (current north, current east, speed ahead) at `t`, with what the model leaves out
   /// [m^2/s^2]: what a bridge from there is off.
   [[nodiscard]] Eigen::Matrix3d BridgeCovariance(double t, const Conduct& conduct) const;
-  /// 1-sigma of how these change in `seconds` [m/s].
-  [[nodiscard]] Eigen::Vector3d BridgeChange(double seconds) const;
+  /// How these change from `from` to `to`, `seconds` later.
+  [[nodiscard]] BridgeDrift BridgeChange(double seconds, const Conduct& from,
+                                         const Conduct& to) const;
+  /// So long they may be taken for constant, if the vehicle goes on as told now [s].
+  [[nodiscard]] double BridgeStretch(const Conduct& from, const Conduct& to) const;
+  /// 1-sigma of where they carry the vehicle besides in a second of such a stretch [m].
+  [[nodiscard]] double BridgeNoise(const Conduct& conduct) const;
 
   /// Variance of each of ahead and abeam of what the error of a bridge of `seconds` is at its end,
-  /// beside what it was all along [m^2/s^2].
-  [[nodiscard]] Eigen::Vector2d EndVariance(double seconds) const;
+  /// beside what it was all along [m^2/s^2]: a vehicle that is told another speed by then tells
+  /// little of the bridge.
+  [[nodiscard]] Eigen::Vector2d EndVariance(double seconds, const Conduct& conduct) const;
 
   [[nodiscard]] WaterState StateAt(double t, const Conduct& conduct) const;
   /// False until a first velocity has come.
@@ -113,8 +136,20 @@ class WaterModel {
   [[nodiscard]] static Observation ObservationOf(const Conduct& conduct);
   /// Tries what a bridge would be off. `v_H` as in Add.
   void Try(double t, const Eigen::Vector2d& v_H, const Observation& H);
+  /// What is known before a first velocity.
+  [[nodiscard]] Covariance FirstCovariance(bool is_driven) const;
   [[nodiscard]] Covariance CovarianceAt(double t) const;
+  /// The same, if commands are all that was ever heard.
+  [[nodiscard]] Covariance CovarianceAt(double t, const Conduct& conduct) const;
+  /// 1-sigma of the speed ahead of a vehicle that may start any time [m/s]; 0 of one that is on
+  /// its way, or whose commands are known.
+  [[nodiscard]] double UntoldSpeed() const;
+  /// Share of its variance that is new after `seconds`.
+  [[nodiscard]] double LostIn(double seconds) const;
+  void LearnHabit(double t);
   [[nodiscard]] double AgeAt(double t) const;
+  /// Share of a change of what the thrusters make that may be untrue, squared.
+  [[nodiscard]] double UntrueShare() const;
   /// Of speed ahead and abeam, since the last velocity: what the thrusters' sheet may be off.
   [[nodiscard]] Eigen::Vector2d DrivenVariance(const Conduct& conduct) const;
   /// Of the speed ahead: what it may have been told to change.
@@ -130,9 +165,10 @@ class WaterModel {
   std::optional<Eigen::Vector2d> driven_B_;
   State x_;
   Covariance P_;
-  std::optional<double> t_;  ///< of the last velocity
-  double usual_ = 0.0;       ///< speed ahead
-  double spread_ = 0.0;      ///< variance about it [m^2/s^2]
+  std::optional<double> t_;             ///< of the last velocity
+  std::optional<double> departed_;      ///< last at the surface, or without any velocity [s]
+  double usual_ = 0.0, fastest_ = 0.0;  ///< speed ahead, and the most of that under water
+  double spread_ = 0.0;                 ///< variance about it [m^2/s^2]
   std::optional<Trial> trial_;
   double error_variance_;  ///< of a predicted velocity, besides [m^2/s^2]
 };

@@ -88,6 +88,7 @@ class Replayer {
     result_.former_offset = navigator_.former_offset();
     result_.counts = navigator_.counts();
     result_.sources = feed_.Use();
+    result_.has_fix = navigator_.has_fix();
     result_.counts.stale_samples += refused_inertial_;
     result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {
@@ -123,6 +124,7 @@ class Replayer {
     if (!navigator_.has_started() || (added == 0 && !is_due)) {
       return;
     }
+    if (const auto reading = navigator_.surface_reading()) result_.surface_reading = reading;
     const NavigatorEstimate estimate = navigator_.Estimate(now_);
     for (int i = 0; i < added; ++i) {
       result_.update_s.push_back((clock_() - start) / added);

@@ -50,7 +50,9 @@ struct ReplayResult {
   std::vector<double> update_s;  ///< per node, up to its published pose
   SolveReport finish;
   NavigatorCounts counts;
-  SourceUse sources;  ///< of the stream's further sensors
+  SourceUse sources;     ///< of the stream's further sensors
+  bool has_fix = false;  ///< that was believed; else places count from the start
+  std::optional<double> surface_reading = {};  ///< of the depth sensor, where fixes came [m]
 };
 
 /// What makes of a stream's rows what the navigator takes.

@@ -121,6 +121,11 @@ void ArrowSmoother::AddBorderTerm(int slot, Term term) {
   is_root_old_ = true;
 }
 
+void ArrowSmoother::SetBorderTerms(int slot, std::vector<Term> terms) {
+  chain_.graph().SetBorderTerms(slot, std::move(terms));
+  is_root_old_ = true;
+}
+
 void ArrowSmoother::SetJointPrior(std::optional<JointPrior> prior) {
   if (prior) WakeNow(prior->slots());
   chain_.graph().SetJointPrior(std::move(prior));

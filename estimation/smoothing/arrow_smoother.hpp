@@ -47,6 +47,7 @@ class ArrowSmoother final : public Smoother {
   void CloseSensorErrors(int slot) override;
   void RemoveLandmark(int landmark) override;
   void AddBorderTerm(int slot, Term term) override;
+  void SetBorderTerms(int slot, std::vector<Term> terms) override;
   void SetJointPrior(std::optional<JointPrior> prior) override;
   void KeepAtHand(const std::vector<int>& slots) override;
   [[nodiscard]] bool IsAtHand(int slot) const override { return !chain_.IsClosed(slot); }

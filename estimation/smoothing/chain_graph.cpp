@@ -76,6 +76,12 @@ void ChainGraph::SetJointPrior(std::optional<JointPrior> prior) {
   joint_prior_ = std::move(prior);
 }
 
+void ChainGraph::SetBorderTerms(int slot, std::vector<Term> terms) {
+  border(slot).terms.clear();
+  for (Term& term : terms)
+    AddBorderTerm(slot, std::move(term));
+}
+
 void ChainGraph::AddBorderTerm(int slot, Term term) {
   LIMPET_REQUIRE(!term.slots().empty() && term.slots().front() == slot && border(slot).is_used,
                  "a term on its border variable");

@@ -48,6 +48,8 @@ class Smoother {
   virtual void RemoveLandmark(int landmark) = 0;
   /// A term on border variables alone, of which `slot` is the first.
   virtual void AddBorderTerm(int slot, Term term) = 0;
+  /// In place of all that were added so with this slot, which is not closed; on the same variables.
+  virtual void SetBorderTerms(int slot, std::vector<Term> terms) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
   virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
   /// The next poses may see these landmarks and sizes, or be asked about with them. Others that no

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // nav_eval [--windows|--missed|--markdown] <stream folder>...: errors and cost of the estimator on
 // recorded streams with truth. --windows adds the errors per five minutes, --missed the boxes of
-// objects that were not used; --markdown writes docs/navigation-results.md.
+// objects that were not used; --markdown writes docs/navigation-results.md; --silent=FROM,TO takes
+// the DVL's lock away meanwhile [s] and tells how far off the vehicle was taken to be.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -13,7 +14,9 @@
 
 #include "estimation/replay/replay.hpp"
 #include "limpet/core/clock.hpp"
+#include "tests/bench/consistency.hpp"
 #include "tests/support/batch_solver.hpp"
+#include "tests/support/dropout.hpp"
 #include "tests/support/quantile.hpp"
 #include "tests/support/trajectory_error.hpp"
 
@@ -129,6 +132,25 @@ void PrintMissed(const Evaluation& e, const std::filesystem::path& folder) {
   }
 }
 
+/// Interval from `FROM,TO`.
+Interval IntervalOf(const std::string& text) {
+  return {std::stod(text), std::stod(text.substr(text.find(',') + 1))};
+}
+
+void PrintDropout(const Evaluation& e, const Interval& silent, const StreamTruth& truth) {
+  Consistency objects;
+  for (const Landmark& landmark : e.result.landmarks)
+    objects.Add(landmark.object.p_W - TruthOf(landmark.object.p_W, e.smoothed.alignment, truth),
+                landmark.object.cov_W);
+  fmt::print("{} silent {:.0f}..{:.0f} s: NEES of landmarks {:.2f}\n", e.name, silent.low,
+             silent.high, objects.mean());
+  for (const double t : {silent.middle(), silent.high, silent.high + 30.0}) {
+    const PlaceError error = PlaceErrorAt(t, e.result, truth);
+    fmt::print("  {:.0f} s: {:.2f} m off, {:.2f} claimed, NEES {:.2f}\n", t, error.off, error.sigma,
+               error.nees);
+  }
+}
+
 void PrintMarkdownHead() {
   fmt::print(
       "# Navigation on recorded streams\n\n"
@@ -183,8 +205,11 @@ int main(int argc, char** argv) {
       return 1;
     }
     const StreamTruth truth = LoadTruth(argv[i]);
-    all.push_back(Evaluate(argv[i], *stream, truth));
-    if (option != "--markdown") Print(all.back());
+    const std::string silent = option.starts_with("--silent=") ? option.substr(9) : "";
+    const Interval span = silent.empty() ? Interval{.low = 0.0, .high = -1.0} : IntervalOf(silent);
+    all.push_back(Evaluate(argv[i], WithoutVelocity(*stream, span), truth));
+    if (!silent.empty()) PrintDropout(all.back(), span, truth);
+    if (option != "--markdown" && silent.empty()) Print(all.back());
     if (option == "--windows") PrintWindows(all.back(), truth);
     if (option == "--missed") PrintMissed(all.back(), argv[i]);
   }

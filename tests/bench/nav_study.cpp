@@ -5,12 +5,15 @@
 // gives each session what an earlier one over the same place left: since then an eighth of the
 // objects are gone, and as many came (--changed SHARE: another share); --shift M and --turn DEG put
 // that earlier one into a frame of its own, so far off at most, and count how many objects are
-// recognised. --markdown writes docs/navigation-honesty.md, --errors its
-// last table alone, both with a line per session on the error output.
+// recognised. --silent FROM,TO takes the DVL's lock away from one time [s] to another, and tells
+// how far off the vehicle was taken to be at its end and 30 s after; --standing FROM,TO has the
+// vehicle stand meanwhile. --markdown writes docs/navigation-honesty.md, --errors its last table
+// alone, both with a line per session on the error output.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -23,6 +26,7 @@
 #include "tests/bench/error_scenes.hpp"
 #include "tests/bench/honesty_page.hpp"
 #include "tests/bench/study_scenes.hpp"
+#include "tests/support/dropout.hpp"
 #include "tests/support/quantile.hpp"
 #include "tests/support/simulated_stream.hpp"
 
@@ -82,6 +86,7 @@ struct Outcome {
   int duplicates = 0, false_ones = 0, missed = 0, wrong = 0;
   Recognition recognition{};
   std::vector<double> update_s;
+  std::vector<PlaceError> dropouts;  ///< amid, at the end of, and after what was silenced
 };
 
 /// Times of the sightings in a row of times of looks, and how many looks each has.
@@ -133,7 +138,25 @@ struct Options {
   int first = 1, count = 5;
   bool has_oracle = false, has_details = false, has_former = false, is_markdown = false;
   FormerFrame former_frame{};
+  std::optional<Interval> silent{}, standing{};
 };
+
+/// Of the vehicle's place at the end of what was silenced, as told just before and 30 s after.
+void PrintDropout(const Interval& silent, const ReplayResult& result, const StreamTruth& truth,
+                  Outcome& outcome) {
+  for (const double t : {silent.middle(), silent.high, silent.high + 30.0}) {
+    const PlaceError error = PlaceErrorAt(t, result, truth);
+    fmt::print("  {:.0f} s: {:.2f} m off, {:.2f} claimed, NEES {:.2f}", t, error.off, error.sigma,
+               error.nees);
+    outcome.dropouts.push_back(error);
+  }
+  fmt::print("\n");
+}
+
+/// Interval from `FROM,TO`.
+Interval IntervalOf(const std::string& text) {
+  return {std::stod(text), std::stod(text.substr(text.find(',') + 1))};
+}
 
 Outcome PrintSession(const SimulatedStream& session, const EarlierSession& earlier, int seed,
                      const Options& options) {
@@ -176,20 +199,22 @@ Outcome PrintSession(const SimulatedStream& session, const EarlierSession& earli
                recognition.wrong);
   }
   fmt::print(out, "\n");
-  const Outcome outcome{.axes_pose = nees.pose.axes(),
-                        .axes_landmark = nees.landmark.axes(),
-                        .axes_between = nees.between.axes(),
-                        .smoothed = smoothed.aligned,
-                        .reckoned = reckoned.aligned_horizontal,
-                        .nees_pose = nees.pose.mean(),
-                        .nees_landmark = nees.landmark.mean(),
-                        .nees_between = nees.between.mean(),
-                        .duplicates = opis.duplicates,
-                        .false_ones = opis.false_ones,
-                        .missed = static_cast<int>(opis.missed.size()),
-                        .wrong = associations.wrong,
-                        .recognition = recognition,
-                        .update_s = result.update_s};
+  Outcome outcome{.axes_pose = nees.pose.axes(),
+                  .axes_landmark = nees.landmark.axes(),
+                  .axes_between = nees.between.axes(),
+                  .smoothed = smoothed.aligned,
+                  .reckoned = reckoned.aligned_horizontal,
+                  .nees_pose = nees.pose.mean(),
+                  .nees_landmark = nees.landmark.mean(),
+                  .nees_between = nees.between.mean(),
+                  .duplicates = opis.duplicates,
+                  .false_ones = opis.false_ones,
+                  .missed = static_cast<int>(opis.missed.size()),
+                  .wrong = associations.wrong,
+                  .recognition = recognition,
+                  .update_s = result.update_s,
+                  .dropouts = {}};
+  if (options.silent) PrintDropout(*options.silent, result, session.truth, outcome);
   if (options.has_details) PrintDetails(session, result, smoothed.alignment);
   return outcome;
 }
@@ -207,6 +232,7 @@ Outcome Together(const std::vector<Outcome>& all) {
     sum.wrong += o.wrong;
     sum.recognition.possible += o.recognition.possible;
     sum.recognition.right += o.recognition.right, sum.recognition.wrong += o.recognition.wrong;
+    sum.dropouts.insert(sum.dropouts.end(), o.dropouts.begin(), o.dropouts.end());
     sum.update_s.insert(sum.update_s.end(), o.update_s.begin(), o.update_s.end());
   }
   return sum;
@@ -238,6 +264,21 @@ void PrintSummary(const std::vector<Outcome>& all) {
   fmt::print("  per axis (1 each): poses {}, landmarks {}; between landmarks {}, together {:.2f}\n",
              TextOfAxes(sum.axes_pose), TextOfAxes(sum.axes_landmark), TextOfAxes(sum.axes_between),
              sum.nees_between);
+  constexpr std::size_t kPlaces = 3;  // of a session
+  for (std::size_t k = 0; k < std::min(kPlaces, sum.dropouts.size()); ++k) {
+    double off = 0.0, sigma = 0.0, nees = 0.0, worst = 0.0;
+    for (std::size_t i = k; i < sum.dropouts.size(); i += kPlaces) {
+      const PlaceError& error = sum.dropouts[i];
+      off += error.off, sigma += error.sigma, nees += error.nees;
+      worst = std::max(worst, error.nees);
+    }
+    const auto n = static_cast<double>(all.size());
+    fmt::print("  {}: {:.2f} m off, {:.2f} m claimed, NEES {:.2f} (2), worst {:.1f}\n",
+               k == 0   ? "amid the dropout"
+               : k == 1 ? "at its end"
+                        : "30 s later",
+               off / n, sigma / n, nees / n, worst);
+  }
   if (sum.recognition.possible > 0) {
     fmt::print("  of the former session's objects {} of {} known again, {} wrongly\n",
                sum.recognition.right, sum.recognition.possible, sum.recognition.wrong);
@@ -251,7 +292,10 @@ std::vector<Outcome> RunScene(const Options& options) {
     scene.seed = static_cast<std::uint64_t>(seed);
     const EarlierSession earlier =
         options.has_former ? EarlierOf(scene, options.former_frame) : EarlierSession{};
-    outcomes.push_back(PrintSession(SimulateStream(scene), earlier, seed, options));
+    scene.standing = options.standing;
+    SimulatedStream session = SimulateStream(scene);
+    if (options.silent) session.stream = WithoutVelocity(session.stream, *options.silent);
+    outcomes.push_back(PrintSession(session, earlier, seed, options));
   }
   return outcomes;
 }
@@ -319,6 +363,10 @@ int main(int argc, char** argv) {
       options.former_frame.shift_m = std::stod(argv[++i]);
     } else if (i + 1 < argc && word == "--turn") {
       options.former_frame.turn_deg = std::stod(argv[++i]);
+    } else if (i + 1 < argc && word == "--silent") {
+      options.silent = IntervalOf(argv[++i]);
+    } else if (i + 1 < argc && word == "--standing") {
+      options.standing = IntervalOf(argv[++i]);
     } else if (i + 1 < argc && word == "--seeds") {
       options.count = std::stoi(argv[++i]);
     }

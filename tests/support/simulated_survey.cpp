@@ -109,7 +109,8 @@ void SimulatedVehicle::Step(double t) {
       is_up_ ? kSurfaceDepth : ground_.Depth(X_.p_WB.head<2>()) - scene_.altitude_m;
   const double turn = WrapAngle(std::atan2(off.y(), off.x()) - X_.yaw);
   rate_ += std::clamp(std::clamp(0.6 * turn, -0.3, 0.3) - rate_, -0.01, 0.01);
-  const double speed = is_up_ && t < kSurfaceTime ? 0.12 : leg_speed_;
+  const bool stands = scene_.standing && t >= scene_.standing->low && t < scene_.standing->high;
+  const double speed = stands ? 0.0 : is_up_ && t < kSurfaceTime ? 0.12 : leg_speed_;
   speed_ += 0.05 * (speed - speed_);
   sink_ += 0.03 * (std::clamp(0.25 * (want_z - X_.p_WB.z()), -0.2, 0.2) - sink_);
   const double c = std::cos(X_.yaw), s = std::sin(X_.yaw), sway = kSwayPerRate * rate_;

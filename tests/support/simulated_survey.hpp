@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "limpet/core/frames.hpp"
+#include "limpet/core/interval.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/simulation/object_motion.hpp"
 #include "limpet/simulation/simulated_errors.hpp"
@@ -42,7 +43,8 @@ struct StreamScene {
   double dvl_period_s = 0.2;
   double noise = 1.0;  ///< of DVL, depth and tilt, over the usual; the rows state it
   double resurface_every_s = 0.0;
-  std::uint64_t place = 0;   ///< seed of the seabed and what stands on it; 0: `seed`
+  std::optional<Interval> standing{};  ///< times [s] in which the vehicle does not go ahead
+  std::uint64_t place = 0;             ///< seed of the seabed and what stands on it; 0: `seed`
   int gone = 0, came = 0;    ///< of the place's objects, the first are gone, and others came since
   double size_spread = 1.0;  ///< objects are up to this factor larger or smaller than believed
   double true_noise = 1.0;   ///< of DVL, depth, tilt and boxes, over what is stated

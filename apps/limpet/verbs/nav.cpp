@@ -2,8 +2,10 @@
 #include "apps/limpet/verbs/nav.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,6 +82,31 @@ Command NavForm() {
       .takes = "one recording (a folder or a file), and --out DIR or --check",
       .least_words = 1,
       .most_words = 1};
+}
+
+constexpr double kHighSigma = 5.0;  // [m], as of the safety rule sigma_high
+
+/// When the place was in doubt while the session ran, beside what the start is.
+struct PlaceDoubt {
+  double seconds = 0.0;         ///< all together
+  double sigma = 0.0, t = 0.0;  ///< the worst 1-sigma of an axis [m], and when
+};
+
+std::optional<PlaceDoubt> WorstDoubt(const ReplayResult& result) {
+  if (result.online.empty()) return std::nullopt;
+  // A start that nothing places is in doubt for good, and said otherwise.
+  const double start = result.has_fix ? 0.0 : result.online_covariance_W.front()(0, 0);
+  PlaceDoubt doubt;
+  bool was_known = !result.has_fix;  // before the first fix no place is
+  for (std::size_t i = 1; i < result.online.size(); ++i) {
+    const double variance = result.online_covariance_W[i].diagonal().head<2>().maxCoeff() - start;
+    was_known = was_known || variance <= kHighSigma * kHighSigma;
+    if (!was_known || variance <= kHighSigma * kHighSigma) continue;
+    doubt.seconds += result.online[i].t - result.online[i - 1].t;
+    if (std::sqrt(variance) > doubt.sigma)
+      doubt = {.seconds = doubt.seconds, .sigma = std::sqrt(variance), .t = result.online[i].t};
+  }
+  return doubt.seconds > 0.0 ? std::optional(doubt) : std::nullopt;
 }
 
 std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {
@@ -198,6 +225,27 @@ void PrintLosses(const SensorStream& stream) {
   if (stream.cut) fmt::print(stderr, "{}; what comes before was used\n", *stream.cut);
 }
 
+/// What the estimate itself says that it does not know.
+std::string DoubtSummary(const ReplayResult& result) {
+  std::string text;
+  if (!result.has_fix)
+    text += "no GPS fix was used: places count from the start, taken for the origin\n";
+  if (result.surface_reading) {
+    text += fmt::format(
+        "the depth sensor read {:.1f} m where fixes came, and no antenna is out of the water "
+        "there: "
+        "it was not zeroed, or tells the absolute pressure; all depths are off by that\n",
+        *result.surface_reading);
+  }
+  if (const auto doubt = WorstDoubt(result)) {
+    text += fmt::format(
+        "the place was known to no better than {} m (1-sigma) for {:.0f} s, at worst to {:.0f} m "
+        "at {:.0f} s\n",
+        kHighSigma, doubt->seconds, doubt->sigma, doubt->t);
+  }
+  return text;
+}
+
 bool WriteResults(const Arguments& given, const ReplayResult& result, const FormerSession& former,
                   const std::string& timing) {
   const fs::path out = *given.Find("out");
@@ -271,6 +319,7 @@ int ReplayStream(const Arguments& given) {
       fmt::print("north and east count from the first fix, {:.7f}, {:.7f}\n",
                  stream.datum->latitude_deg, stream.datum->longitude_deg);
     }
+    fmt::print("{}", DoubtSummary(result));
     if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
     fmt::print("{}{}", SourcesSummary(result.sources), OwnTrackSummary(*input, result));
   }

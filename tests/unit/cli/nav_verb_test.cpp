@@ -19,6 +19,7 @@ namespace limpet {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A minute straight ahead, without any object.
 class NavVerbTest : public ::testing::Test {
@@ -57,6 +58,24 @@ TEST_F(NavVerbTest, WritesPosesLandmarksAssociationsAndTiming) {
   EXPECT_THAT(Text("landmarks.csv"), HasSubstr("id,x,y,z,sd_x,sd_y,sd_z,class,looks\n"));
   EXPECT_THAT(Text("timing.json"), HasSubstr("\"p99_ms\""));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out/map.svg"));
+}
+
+TEST_F(NavVerbTest, SaysWhatItDoesNotKnow) {
+  ASSERT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  EXPECT_THAT(output_, Not(HasSubstr("no GPS fix")));
+  EXPECT_THAT(output_, HasSubstr("the depth sensor read 3.0 m where fixes came"));
+  EXPECT_THAT(output_, Not(HasSubstr("no better than")));
+  const TemporaryFolder blind;
+  std::ofstream(blind.path() / "meta.csv") << "key,v1\nopi_radius,0.5\n";
+  std::ofstream rows(blind.path() / "stream.csv.gz");
+  for (int i = 0; i < 1200; ++i) {
+    rows << fmt::format("ATT,{:.2f},0,0,0,0.005,0.005,0.02\nDVL,{:.2f},0,,,,,,,,,,\n", 0.1 * i,
+                        0.1 * i);
+  }
+  rows.close();
+  ASSERT_EQ(Run({blind.path().string(), "--out", (blind.path() / "out").string()}), kOk);
+  EXPECT_THAT(output_, HasSubstr("no GPS fix was used: places count from the start"));
+  EXPECT_THAT(output_, HasSubstr("the place was known to no better than 5 m"));
 }
 
 TEST_F(NavVerbTest, WritesCurrentAndSpeedThroughTheWaterWithTheirSigmas) {

@@ -147,6 +147,38 @@ TEST_F(WaterModelTest, ItsCovarianceGrowsInADropout) {
   EXPECT_GT(model_.BridgeCovariance(t_ + 180.0, conduct_).eigenvalues().real().minCoeff(), 0.0);
 }
 
+TEST_F(WaterModelTest, AVehicleThatStandsAtTheSurfaceMayGoAnyTimeAtAnySpeed) {
+  speed_ = 0.0, current_W_.setZero();
+  Survey(60.0);
+  model_.NoteSurface(t_);
+  EXPECT_GT(model_.BridgeCovariance(t_, conduct_)(2, 2), 0.4 * 0.4);
+  const BridgeDrift drift = model_.BridgeChange(30.0, conduct_, conduct_);
+  EXPECT_LT(drift.speed_kept, 0.5) << "and stop again";
+  EXPECT_GT(drift.speed_change, 0.3);
+}
+
+TEST_F(WaterModelTest, AVehicleThatStandsAmidItsWayMayGoOn) {
+  Survey(400.0);
+  EXPECT_LT(model_.BridgeCovariance(t_, conduct_)(2, 2), 0.1 * 0.1) << "on its way";
+  speed_ = 0.0;
+  Survey(120.0);
+  EXPECT_GT(model_.BridgeCovariance(t_, conduct_)(2, 2), 0.3 * 0.3);
+}
+
+TEST_F(WaterModelTest, WhatTheVehicleDidAtTheSurfaceIsNoHabitOfItsDive) {
+  speed_ = 0.1;
+  Survey(60.0);
+  model_.NoteSurface(t_);
+  speed_ = 0.5;
+  Survey(20.0);
+  EXPECT_NEAR(model_.StateAt(t_ + 20.0, conduct_).speed, model_.state()(0), 0.05);
+}
+
+TEST_F(WaterModelTest, WithoutAnyVelocityItKnowsNothingOfTheSpeed) {
+  EXPECT_GT(model_.BridgeCovariance(t_, conduct_)(2, 2), 0.4 * 0.4);
+  EXPECT_GT(model_.BridgeChange(60.0, conduct_, conduct_).speed_change, 0.4);
+}
+
 /// Stems a current so that it keeps its way over ground, as the pilot does: 0.5 m/s ahead, none
 /// abeam. The sheet of hull and thrusters says `sheet` times the speed that they really make.
 class DrivenWaterModelTest : public ::testing::Test {
@@ -196,6 +228,31 @@ TEST_F(DrivenWaterModelTest, FollowsAChangeOfSpeedInADropout) {
   Survey(20.0, 0.2, false);  // slows down while nothing measures it
   EXPECT_LT(BridgeError().norm(), 0.05);
   EXPECT_LT(BridgeError().norm(), 3.0 * std::sqrt(2.0 * model_.VarianceAt(t_, conduct_)));
+}
+
+TEST_F(DrivenWaterModelTest, DoubtsAChangeOfTheCommandsByAShare) {
+  Survey(60.0, 0.0);
+  const Conduct before = conduct_;
+  Survey(20.0, 0.5, false);
+  const double change = model_.BridgeChange(10.0, before, conduct_).speed_change;
+  EXPECT_GT(change, 0.05);
+  EXPECT_LT(change, 0.4);
+  EXPECT_LT(model_.BridgeChange(10.0, conduct_, conduct_).speed_change, 0.01) << "none, no doubt";
+  EXPECT_LT(model_.BridgeStretch(before, conduct_), model_.BridgeStretch(conduct_, conduct_));
+}
+
+TEST_F(DrivenWaterModelTest, AVehicleThatStartsAsADropoutEndsTellsLittleOfIt) {
+  Survey(60.0, 0.0);
+  EXPECT_LT(model_.EndVariance(40.0, conduct_).x(), 0.01 * 0.01);
+  Survey(12.0, 0.5, false);
+  EXPECT_GT(model_.EndVariance(40.0, conduct_).x(), 0.1 * 0.1);
+}
+
+TEST_F(DrivenWaterModelTest, CommandsTellTheSpeedBeforeAnyVelocity) {
+  Survey(30.0, 0.5, false);
+  EXPECT_LT(BridgeError().norm(), 0.5);
+  EXPECT_NEAR(model_.StateAt(t_, conduct_).speed, conduct_.driven_B->x(), 0.01);
+  EXPECT_LT(model_.BridgeCovariance(t_, conduct_)(2, 2), 0.4 * 0.4) << "not that of any speed";
 }
 
 TEST_F(DrivenWaterModelTest, BridgesTheFirstAccelerationOfTheDive) {

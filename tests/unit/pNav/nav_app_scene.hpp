@@ -44,7 +44,7 @@ class NavAppTest : public ::testing::Test {
                              .b2 = 4.4,
                              .b3 = 4.4,
                              .b4 = 4.4});
-        link_.Send(*app_, topics::kDepthSensor, 1.0);
+        link_.Send(*app_, topics::kDepthSensor, depth_);
       }
       if (has_gps_ && step_ % 50 == 0) {
         link_.Send(*app_, topics::kGpsData, GpsFix{.north = 10.0, .east = east_, .sd = 0.4});
@@ -89,6 +89,7 @@ class NavAppTest : public ::testing::Test {
   int step_ = 0;
   double east_ = 20.0;
   bool has_gps_ = true;
+  double depth_ = 1.0;  ///< as the sensor reads it [m]
 };
 
 }  // namespace limpet

@@ -26,6 +26,16 @@ TEST_F(NavAppTest, IsSilentUntilAGpsFixSaysWhereItIs) {
   EXPECT_FALSE(link_.Last(topics::kNavState).has_value());
 }
 
+TEST_F(NavAppTest, WarnsOfADepthSensorThatTellsTheAbsolutePressure) {
+  depth_ = 0.1;
+  RunFor(30.0);
+  EXPECT_FALSE(app_->warnings().contains("DEPTH_NOT_ZEROED"));
+  app_.emplace(MakeContext(), NavApp::Params{});
+  depth_ = 10.2;
+  RunFor(30.0);
+  EXPECT_TRUE(app_->warnings().contains("DEPTH_NOT_ZEROED"));
+}
+
 TEST_F(NavAppTest, FollowsTheVehicleAfterTheFixesEnd) {
   RunFor(20.0);
   has_gps_ = false;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the estimator says of its own error holds.
 #include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/dropout.hpp"
 #include "tests/support/simulated_stream.hpp"
 
 namespace limpet {
@@ -41,6 +43,61 @@ TEST(Honesty, NavigatorsCovarianceOfTwoObjectsTogetherKnowsWhatTheyShare) {
         EXPECT_GT(std::sqrt(joint(0, 0)), 0.4);
         EXPECT_LT(std::sqrt(joint(0, 0) + joint(3, 3) - 2.0 * joint(0, 3)), 0.35);
       }));
+}
+
+/// Dropouts of the DVL over seeds that nothing was chosen on: means of what was told at a time.
+PlaceError MeanPlaceError(const StreamScene& like, const Interval& silent, double at) {
+  constexpr int kSeeds = 12;
+  PlaceError mean;
+  for (int i = 0; i < kSeeds; ++i) {
+    StreamScene scene = like;
+    scene.seed = static_cast<std::uint64_t>(701 + i);
+    const SimulatedStream session = SimulateStream(scene);
+    const ReplayResult result = Replay(WithoutVelocity(session.stream, silent),
+                                       ParamsForStream(session.stream.meta), [] { return 0.0; });
+    const PlaceError error = PlaceErrorAt(at, result, session.truth);
+    mean.off += error.off / kSeeds, mean.sigma += error.sigma / kSeeds;
+    mean.nees += error.nees / kSeeds;
+  }
+  return mean;
+}
+
+/// Ten minutes in a current; the vehicle leaves the surface 45 s after the start.
+StreamScene DiveInACurrent(double seconds) {
+  return {.duration_s = seconds, .current_mps = 0.15, .leg_speed_sd_mps = 0.003};
+}
+
+TEST(Honesty, ADropoutInWhichTheVehicleStartsIsAsFarOffAsItSays) {
+  for (const double end : {65.0, 105.0}) {
+    const PlaceError at_end = MeanPlaceError(DiveInACurrent(150.0), {45.0, end}, end);
+    EXPECT_GT(at_end.nees, 0.5) << end << " s: two axes";
+    EXPECT_LT(at_end.nees, 4.0) << end;
+    const PlaceError later = MeanPlaceError(DiveInACurrent(150.0), {45.0, end}, end + 30.0);
+    EXPECT_LT(later.nees, 4.0) << end;
+    EXPECT_LT(later.off, 0.8 * at_end.off) << end << ": velocities tell how it had gone";
+  }
+}
+
+TEST(Honesty, ADiveWithoutBottomLockIsAsFarOffAsItSays) {
+  const PlaceError error = MeanPlaceError(DiveInACurrent(150.0), {0.0, 100.0}, 100.0);
+  EXPECT_GT(error.nees, 0.5);
+  EXPECT_LT(error.nees, 4.0);
+}
+
+TEST(Honesty, AStopThatADropoutHidIsBelievedAtItsEnd) {
+  StreamScene scene = DiveInACurrent(400.0);
+  scene.standing = Interval{320.0, 365.0};
+  const PlaceError error = MeanPlaceError(scene, {300.0, 340.0}, 370.0);
+  EXPECT_LT(error.nees, 5.0);
+  EXPECT_LT(error.off, 4.5) << "of 10 m that it was off";
+}
+
+TEST(Honesty, ADropoutOfAVehicleOnItsWayIsHardlyDoubted) {
+  const PlaceError error = MeanPlaceError(DiveInACurrent(400.0), {300.0, 340.0}, 340.0);
+  EXPECT_LT(error.off, 1.1) << "fixes and heading alone make most of it";
+  EXPECT_LT(error.sigma, 1.3);
+  EXPECT_GT(error.nees, 0.5);
+  EXPECT_LT(error.nees, 4.0);
 }
 
 }  // namespace
