@@ -102,13 +102,13 @@ void BHV_LegRun::AdvanceLeg(const VehicleState& state, ActList& acts) {
   if (step == LegStep::kUnderway) {
     if (run_.legs_done > 0 && !run_.is_mid_told && Share(state.place()) > params_.mid_leg) {
       run_.is_mid_told = true;
-      acts.Raise(params_.mid_leg_flags, *this, state);
+      acts.RaiseAgain(params_.mid_leg_flags, *this, state);
     }
     return;
   }
-  acts.Raise(params_.leg_flags, *this, state);
-  acts.Raise(reached == 0 ? params_.leg1_flags : params_.leg2_flags, *this, state);
-  if (step != LegStep::kAdvanced) acts.Raise(params_.cycle_flags, *this, state);
+  acts.RaiseAgain(params_.leg_flags, *this, state);
+  acts.RaiseAgain(reached == 0 ? params_.leg1_flags : params_.leg2_flags, *this, state);
+  if (step != LegStep::kAdvanced) acts.RaiseAgain(params_.cycle_flags, *this, state);
   if (step == LegStep::kCompleted) {
     acts.Complete();
     run_.legs.Restart();
@@ -126,12 +126,12 @@ void BHV_LegRun::AdvanceTurn(const VehicleState& state, ActList& acts) {
   if (run_.turn.Advance(state.place(), params_.capture) != LegStep::kCompleted) {
     if (!run_.is_mid_told && Share(state.place()) > params_.mid_turn) {
       run_.is_mid_told = true;
-      acts.Raise(params_.mid_turn_flags, *this, state);
+      acts.RaiseAgain(params_.mid_turn_flags, *this, state);
     }
     return;
   }
-  acts.Raise(params_.turn_flags, *this, state);
-  acts.Raise(run_.turn_end == 0 ? params_.turn1_flags : params_.turn2_flags, *this, state);
+  acts.RaiseAgain(params_.turn_flags, *this, state);
+  acts.RaiseAgain(run_.turn_end == 0 ? params_.turn1_flags : params_.turn2_flags, *this, state);
   run_.is_turning = false;
   run_.is_mid_told = false;
   run_.leg_odo = 0.0;

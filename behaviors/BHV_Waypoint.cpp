@@ -214,7 +214,7 @@ void BHV_Waypoint::PostProgress(Step step, const VehicleState& state, ActList& a
     acts.Post(With(params_.status_variable),
               fmt::format("behavior-name={},{}", name(),
                           step == Step::kCompleted ? "completed" : "cycled"));
-    acts.Raise(params_.cycle_flags, *this, state);
+    acts.RaiseAgain(params_.cycle_flags, *this, state);
   }
   if (step == Step::kCompleted) acts.Complete();
   const bool begins = params_.has_flags_on_start && !travel_.has_raised_flags;

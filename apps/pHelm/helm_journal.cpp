@@ -49,12 +49,10 @@ HelmJournal::HelmJournal(const std::vector<std::string>& domain, Post post)
 void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   const std::vector<BehaviorStatus>& behaviors = host.statuses();
   post_(topics::kHelmDomain.name, domain_);
-  if (const std::string tree = host.ModeTree(); !tree.empty()) {
-    post_(topics::kHelmModeSet.name, tree);
-  }
+  post_(topics::kHelmModeSet.name, host.ModeTree());  // also without modes
   post_(topics::kHelmDisabled.name, std::string());
   post_(topics::kHelmDisabledCount.name, 0.0);
-  post_(topics::kHelmCompletedCount.name, 0.0);
+  TellCompleted(0);
   started_ = now;
   for (const BehaviorStatus& behavior : behaviors) {
     entries_.push_back({.behavior = behavior, .state = State::kIdle, .since = now});
@@ -166,12 +164,13 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
 void HelmJournal::PostLifeEvents(std::span<const LifeEvent> events, std::int64_t iteration,
                                  Seconds now) {
   constexpr const char* kKinds[] = {"spawn", "abort", "death"};
-  const int alive = alive_, completed = completed_, made = made_;
+  const int alive = alive_, made = made_;
+  int completed = 0;
   for (const LifeEvent& event : events) {
     alive_ += event.kind == LifeEvent::Kind::kSpawn   ? 1
               : event.kind == LifeEvent::Kind::kDeath ? -1
                                                       : 0;
-    completed_ += event.kind == LifeEvent::Kind::kDeath ? 1 : 0;
+    completed += event.kind == LifeEvent::Kind::kDeath ? 1 : 0;
     made_ += event.kind == LifeEvent::Kind::kSpawn ? 1 : 0;
     const std::string seed = event.seed.empty() ? "" : ", seed=" + event.seed;
     const std::string reason = event.reason.empty() ? "" : ", post_mortem=" + event.reason;
@@ -182,9 +181,14 @@ void HelmJournal::PostLifeEvents(std::span<const LifeEvent> events, std::int64_t
   }
   if (alive_ != alive) post_(topics::kHelmBehaviorCount.name, static_cast<double>(alive_));
   if (made_ != made) post_(topics::kHelmBehaviorCountEver.name, static_cast<double>(made_));
-  if (completed_ != completed) {
-    post_(topics::kHelmCompletedCount.name, static_cast<double>(completed_));
-  }
+  TellCompleted(completed);
+}
+
+void HelmJournal::TellCompleted(int count) {
+  const bool is_pending = count > 0;
+  if (std::exchange(completed_, count) == count) return;
+  post_(topics::kHelmCompletedPending.name, std::string(is_pending ? "true" : "false"));
+  post_(topics::kHelmCompletedCount.name, static_cast<double>(count));
 }
 
 void HelmJournal::PostPieces(int pieces) {

@@ -64,6 +64,8 @@ class HelmJournal {
   [[nodiscard]] static const char* NameOf(State state);
 
  private:
+  /// How many behaviors have completed in this iteration, if that is another number.
+  void TellCompleted(int count);
   /// True if something about a behavior is new.
   [[nodiscard]] bool UpdateEntries(const HelmIteration& iteration);
   [[nodiscard]] std::string Described(State state) const;
@@ -78,7 +80,7 @@ class HelmJournal {
   Post post_;
   std::vector<Entry> entries_;
   Seconds started_{0.0};
-  int completed_ = 0;  ///< behaviors that have ended
+  int completed_ = -1;  ///< behaviors that ended in an iteration, as last posted
   int alive_ = 0;
   int made_ = 0;                                ///< behaviors, ever
   int functions_ = -1;                          ///< as last posted

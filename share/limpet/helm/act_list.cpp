@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/helm/act_list.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -25,6 +26,15 @@ void ActList::Repeat(const std::string& variable, Value value) {
 
 void ActList::Raise(std::span<const Flag> flags, const Behavior& behavior,
                     const VehicleState& state) {
+  const std::size_t first = acts_.size();
+  RaiseAgain(flags, behavior, state);
+  for (BehaviorAct& act : std::span(acts_).subspan(first)) {
+    std::get<Flag>(act).is_repeated = false;
+  }
+}
+
+void ActList::RaiseAgain(std::span<const Flag> flags, const Behavior& behavior,
+                         const VehicleState& state) {
   const auto own = [&](std::string_view name) { return behavior.Macro(name, state); };
   for (Flag flag : flags) {
     flag.text = ExpandRuntimeMacros(flag.text, own, flag.has_parenthesis_macros);

@@ -160,9 +160,9 @@ void BehaviorHost::SetVariable(const std::string& name, const Value& value, Seco
       update_warnings_.push_back(
           {hosted->name(), {warnings::kBehaviorUpdate.Of(hosted->name()), *outcome.complaint}});
     }
-    update_results_.push_back(fmt::format("bhv={},var={},time={:.2f},result={},val={}",
-                                          hosted->name(), name, time.value(), outcome.result,
-                                          *text));
+    update_results_.push_back(
+        fmt::format("bhv={},var={},time={:.2f},result={},val={}", hosted->name(), name,
+                    (time - began_.value_or(time)).value(), outcome.result, *text));
     is_updated = true;
   }
   if (is_updated) {  // told also by a helm that stands still, for want of navigation
@@ -204,6 +204,7 @@ const Value* BehaviorHost::Find(std::string_view name) const {
 }
 
 std::vector<HelmPost> BehaviorHost::Update(const VehicleState& state) {
+  began_ = began_.value_or(state.now);
   std::vector<HelmPost> posts;
   const auto lookup = [this](std::string_view name) { return Find(name); };
   mode_text_.clear();

@@ -105,6 +105,7 @@ class BehaviorHost {
   std::vector<InitialPost> initializes_;
   std::vector<HelmPost> requests_;  ///< of templates
   std::unique_ptr<ModeSet> modes_;
+  std::optional<Seconds> began_;  ///< the first iteration
   HeardValues heard_;
   std::vector<std::unique_ptr<HostedBehavior>> hosted_;
   BehaviorTemplates templates_;

@@ -163,7 +163,9 @@ bool HostedBehavior::IsOver(HelmTurn& turn) {
 }
 
 void HostedBehavior::Begin(HelmTurn& turn) {
-  if (std::exchange(are_spawn_flags_due_, false)) PostFlags(settings_.flags.spawn, turn);
+  if (std::exchange(are_spawn_flags_due_, false) && spawn_base_) {
+    PostFlags(settings_.flags.spawn, turn);
+  }
   if (!complaint_.empty()) {
     const std::string text = std::exchange(complaint_, "");
     Post({.variable = "BHV_WARNING", .value = text, .is_repeated = true}, turn);
@@ -273,7 +275,10 @@ void HostedBehavior::TellSettings(HelmTurn& turn) {
         .value = SettingsText(block_, name(), specs),
         .is_repeated = true},
        turn);
-  PostFlags(settings_.flags.config, turn);
+  for (Flag flag : settings_.flags.config) {
+    flag.is_repeated = false;
+    PostFlag(flag, turn);
+  }
 }
 
 void HostedBehavior::PostFlags(std::span<const Flag> flags, HelmTurn& turn) {
@@ -298,7 +303,7 @@ void HostedBehavior::PostFlag(const Flag& flag, HelmTurn& turn) {
     return text;
   });
   if (flag.is_also_local) {
-    Post({.variable = flag.variable, .value = value, .is_repeated = true}, turn);
+    Post({.variable = flag.variable, .value = value, .is_repeated = flag.is_repeated}, turn);
   }
   if (!flag.group.empty()) {
     const std::string group =

@@ -28,6 +28,7 @@ struct Flag {
   std::string variable;
   std::string text;  ///< value as written, macros unexpanded
   std::optional<Condition> condition;
+  bool is_repeated = true;              ///< false: only if its value is another than the last time
   bool has_parenthesis_macros = false;  ///< `$(NAME)` counts like `$[NAME]` (waypoint flags)
 
   /// Parses `[@tag] [#group[+]] VAR = value [[if] condition]`; the error says what is wrong.

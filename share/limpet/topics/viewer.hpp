@@ -164,8 +164,11 @@ inline const auto kHelmIdleCount = Declare<double>("IVPHELM_BHV_IDLE_CNT", "name
 inline const auto kHelmDisabledCount = Declare<double>("IVPHELM_BHV_DISABLED_CNT", "names in it",
                                                        {.rate = "once", .writers = {"pHelm"}});
 inline const auto kHelmCompletedCount =
-    Declare<double>("IVPHELM_COMPLETED_COUNT", "behaviors that have completed",
+    Declare<double>("IVPHELM_COMPLETED_COUNT", "behaviors that completed in this iteration",
                     {.rate = "on change", .writers = {"pHelm"}});
+inline const auto kHelmCompletedPending = Declare<std::string>(
+    "IVPHELM_COMPLETED_PENDING", "true if behaviors completed in this iteration",
+    {.rate = "on change", .writers = {"pHelm"}});
 }  // namespace topics
 
 }  // namespace limpet

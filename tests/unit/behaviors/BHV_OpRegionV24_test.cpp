@@ -47,7 +47,7 @@ bool IsHalted(const HelmFlight& flight) {
 
 TEST(BhvOpRegionV24, SteersBackWhoLeavesTheSavePolygon) {
   HelmFlight flight = AtTheOrigin(std::string(kCore) +
-                                  "  save_dist = 10\n  save_flag = SAVED = $[SECS_OUT_SAVE_POLY]\n"
+                                  "  save_dist = 10\n  save_flag = SAVED = $[CTR1]\n"
                                   "  savex_flag = OUTSIDE = $[CTR]\n  recover_speed = 1.5\n");
   ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Last("SAVED").empty(); }, 60.0));
   EXPECT_NEAR(flight.x(), 60.0, 0.5) << "10 m about the core";

@@ -58,12 +58,13 @@ TEST(BhvZigZag, BeginsOnTheSideThatItIsToldAndSaysWhichSideItIsOn) {
 TEST(BhvZigZag, TakesHeadingAndSpeedFromTheVehicleIfAskedTo) {
   HelmFlight flight(
       ZigBlock("  stem_on_active = true\n  spd_on_active = true\n  max_zig_legs = 0\n"
-               "  zagflag = STEM = $[STEM_HDG] $[STEM_SPD]\n"));
+               "  zagflag = STEM = $[STEM_HDG] $[STEM_SPD]\n  zagflag = PAIRS = $[ZAGS]\n"));
   flight.PlaceAt(0.0, 0.0, 200.0);
   flight.state().nav.u = 1.5;
   flight.Fly(60.0);
   EXPECT_EQ(flight.Last("STEM"), "200 1.5");
-  EXPECT_GT(flight.Posts("STEM").size(), 5U) << "without end";
+  EXPECT_GT(flight.Posts("PAIRS").size(), 5U) << "without end";
+  EXPECT_THAT(flight.Posts("STEM"), SizeIs(1)) << "an unchanged value goes out once";
   EXPECT_NEAR(flight.speed(), 1.5, 0.01);
 }
 

@@ -160,8 +160,11 @@ TEST_F(BehaviorHostTest, AnUpdateChangesItsParametersFromThenOn) {
 
 TEST_F(BehaviorHostTest, SaysWhatBecameOfEachUpdateAsStockHelmsDo) {
   const auto host = HostOf("  updates = UP\n  endflag = DONE = true\n");
+  VehicleState state;
+  state.now = Seconds(100.0);
+  static_cast<void>(host->Update(state));  // times are since then
   for (const char* text : {"pwt = 3", "pwt = 3", "pwt = fast", "name = other # pwt = 4"}) {
-    host->SetVariable("UP", Value(std::string(text)), Seconds(1.5));
+    host->SetVariable("UP", Value(std::string(text)), Seconds(101.5));
   }
   EXPECT_THAT(host->TakeUpdateResults(),
               ElementsAre("bhv=probe,var=UP,time=1.50,result=success,val=pwt = 3",
