@@ -148,48 +148,6 @@ class StreamParser {
   int missing_boxes_ = 0;
 };
 
-void TakeMeta(std::string_view line, StreamMeta& meta) {
-  const CsvFields f(line);
-  CameraModel& camera = meta.camera;
-  const auto vector = [&f] { return Eigen::Vector3d(f.Number(1), f.Number(2), f.Number(3)); };
-  if (f.kind() == "image_size") {
-    camera.width_px = f.Integer(1), camera.height_px = f.Integer(2);
-    meta.has_image_size = true;
-  } else if (f.kind() == "intrinsics_fx_fy_cx_cy") {
-    camera.fx = f.Number(1), camera.fy = f.Number(2);
-    camera.cx = f.Number(3), camera.cy = f.Number(4);
-    meta.has_intrinsics = true;
-  } else if (f.kind() == "distortion_k1_k2_p1_p2_k3") {
-    meta.distortion = {.k1 = f.Number(1),
-                       .k2 = f.Number(2),
-                       .p1 = f.Number(3),
-                       .p2 = f.Number(4),
-                       .k3 = f.Number(5)};
-  } else if (f.kind() == "cam_pos_body") {
-    camera.p_BC = vector();
-  } else if (f.kind() == "cam_R_body_from_cam") {
-    for (int i = 0; i < 9; ++i) {
-      camera.R_BC(i / 3, i % 3) = f.Number(static_cast<std::size_t>(i) + 1);
-    }
-  } else if (f.kind() == "dvl_pos_body") {
-    meta.dvl_B = vector();
-  } else if (f.kind() == "yaw_arw_rad_per_sqrt_s") {
-    meta.yaw_random_walk = f.Number(1);
-  } else if (f.kind() == "yaw_bias_sigma_rad_per_s") {
-    meta.yaw_bias_sigma = f.Number(1);
-  } else if (f.kind() == "dvl_scale_sigma") {
-    meta.dvl_scale_sigma = f.Number(1);
-  } else if (f.kind() == "dvl_bias_sigma") {
-    meta.dvl_bias_sigma = f.Number(1);
-  } else if (f.kind() == "dvl_misalign_sigma") {
-    meta.dvl_misalign_sigma = f.Number(1);
-  } else if (f.kind() == "opi_radius") {
-    meta.opi_radius = f.Number(1);
-  } else if (f.kind() == "stated_noise_velocity_depth_tilt") {
-    meta.noise = {.velocity = f.Number(1), .depth = f.Number(2), .tilt = f.Number(3)};
-  }
-}
-
 Value MailValue(std::string_view written) {
   const std::string_view text = Trim(written);
   double number = 0.0;
@@ -251,24 +209,6 @@ std::optional<Error> Note(const Losses& losses, const StreamFile& file, SensorSt
 }
 
 }  // namespace
-
-Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta) {
-  StreamMeta said;
-  // What a stream would be wrongly read by if it were another vehicle's.
-  said.unsaid = {"cam_pos_body", "cam_R_body_from_cam", "dvl_pos_body", "opi_radius"};
-  const auto key = [&said](std::string_view line) {
-    TakeMeta(line, said);
-    std::erase(said.unsaid, line.substr(0, line.find(',')));
-  };
-  if (const Losses losses = ForEachLine(meta, key); losses.lines > 0 || losses.cut) {
-    return Error{losses.lines > 0 ? losses.first : *losses.cut};
-  }
-  if (meta.damage) return Error{*meta.damage};
-  if (!said.distortion.is_none() && !LensModel::IsOneToOne(said.camera, said.distortion)) {
-    return Error{fmt::format("{}: distortion_k1_k2_p1_p2_k3: folds the image", meta.name)};
-  }
-  return said;
-}
 
 Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFile& rows) {
   SensorStream stream;

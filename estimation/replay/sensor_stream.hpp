@@ -35,6 +35,7 @@ struct StreamMeta {
   LensDistortion distortion;                            ///< its lens
   bool has_image_size = false, has_intrinsics = false;  ///< of the camera, in the file
   std::vector<std::string> unsaid;  ///< keys that the file lacks: what stands here is usual
+  std::vector<std::string> said;    ///< keys that it has
   StatedNoise noise;
   Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();
   double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
@@ -101,7 +102,7 @@ struct StreamFile {
 /// between, up to one in a hundred, are passed over, and `left_out` names the first.
 [[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
                                                        const StreamFile& rows);
-/// What meta.csv says; the error names file and line.
+/// What meta.csv says; the error names file and line, also of what no vehicle can have.
 [[nodiscard]] Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta);
 /// Adds the rows of further sensors: `t,variable,value`, of which the value may hold commas. A
 /// value that is a number is one, any other is text. The error names file and line.
