@@ -134,6 +134,19 @@ TEST_F(NavVerbTest, TakesSensorsAndCameraFromTheVehiclesFile) {
   EXPECT_TRUE(Text("error.svg") != with_feelhippo) << "its DVL is believed less: wider bounds";
 }
 
+TEST_F(NavVerbTest, AVehiclesFileThatContradictsMetaCountsAndIsSaid) {
+  std::ofstream(folder_.path() / "meta.csv", std::ios::app)
+      << "dvl_pos_body,0.4,0,0.1\ncam_pos_body,0.25,0,0.15\n";
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({stream, "--out", out, "--vehicle", "feelhippo.yaml"}), kOk);
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("its meta.csv says dvl_pos_body 0.4, 0, 0.1, but feelhippo.yaml -0.2,"
+                              " 0, 0.18: the vehicle's file counts"));
+  EXPECT_THAT(said, HasSubstr("its meta.csv says cam_pos_body"));
+  EXPECT_THAT(said, Not(HasSubstr("image_size")));
+}
+
 TEST_F(NavVerbTest, FramesOfAStreamWhoseCameraNobodySaysAreRefused) {
   AddFrame();
   ::testing::internal::CaptureStderr();
