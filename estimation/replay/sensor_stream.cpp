@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -72,9 +73,6 @@ class StreamParser {
   explicit StreamParser(SensorStream& stream) : stream_(stream) {}
 
   void Take(std::string_view line) {
-    if (line.empty() || line.front() == '#') {
-      return;
-    }
     const CsvFields f(line);
     const std::string_view kind = f.kind();
     if (kind == "DET") {
@@ -162,6 +160,8 @@ struct Losses {
   std::size_t sound = 0;           ///< before the first of them
   std::string first;               ///< why the first of them was, with file and line
   std::optional<std::string> cut;  ///< why the last line was, which is cut in two
+  std::size_t again = 0;           ///< lines that came before, word for word: one measurement
+  std::size_t first_again = 0;     ///< the first of them
 
   [[nodiscard]] std::string Text() const {
     return fmt::format("{}; {} {} passed over", first, lines, lines == 1 ? "line" : "lines");
@@ -177,9 +177,17 @@ struct Losses {
 template <class Take>
 Losses ForEachLine(const StreamFile& file, Take take) {
   Losses losses;
+  std::unordered_set<std::string_view> taken;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string& line = file.lines[i];
+    if (line.empty() || line.front() == '#') continue;
+    if (taken.contains(line)) {
+      if (losses.again++ == 0) losses.first_again = i + 1;
+      continue;
+    }
     try {
-      take(file.lines[i]);
+      take(line);
+      taken.insert(line);
     } catch (const BadLine& bad) {
       const std::string why = fmt::format("{}:{}: {}", file.name, i + 1, bad.why);
       if (i + 1 == file.lines.size() && !file.is_last_line_whole) {
@@ -203,6 +211,11 @@ StreamFile SoundPart(const StreamFile& file, const Losses& losses) {
 std::optional<Error> Note(const Losses& losses, const StreamFile& file, SensorStream& stream) {
   if (losses.AreTooMany(file)) return Error{losses.first};
   if (losses.lines > 0) stream.left_out.push_back(losses.Text());
+  if (losses.again > 0) {
+    stream.left_out.push_back(fmt::format(
+        "{}:{}: came before, word for word; {} such {} dropped: each row counts once", file.name,
+        losses.first_again, losses.again, losses.again == 1 ? "line was" : "lines were"));
+  }
   if (file.damage) stream.cut = file.damage;
   if (losses.cut) stream.cut = losses.cut;
   return std::nullopt;

@@ -99,7 +99,8 @@ struct StreamFile {
 };
 /// The error names file and line. A recorder that lost power leaves a last line, frame or block of
 /// a gzip file cut in two: what comes before is the stream, and `cut` says so. Damaged lines in
-/// between, up to one in a hundred, are passed over, and `left_out` names the first.
+/// between, up to one in a hundred, are passed over, and `left_out` names the first; so it does of
+/// rows that come again word for word, which are dropped.
 [[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
                                                        const StreamFile& rows);
 /// What meta.csv says; the error names file and line, also of what no vehicle can have.
