@@ -154,6 +154,30 @@ Value MailValue(std::string_view written) {
   return is_number ? Value(number) : Value(std::string(text));
 }
 
+/// Takes the first field off a line, with the comma behind it; of the last one commas are part. In
+/// quotes a quote is written twice.
+std::string TakeField(std::string_view& rest, bool is_last) {
+  const std::size_t begin = rest.find_first_not_of(" \t");
+  std::size_t end = is_last ? std::string_view::npos : rest.find(',');
+  std::string field;
+  if (begin == std::string_view::npos || rest[begin] != '"') {
+    field = Trim(rest.substr(0, end));
+  } else {
+    std::size_t i = begin + 1;
+    for (; i < rest.size() && (rest[i] != '"' || rest.substr(i, 2) == "\"\""); ++i) {
+      field += rest[i];
+      if (rest[i] == '"') ++i;
+    }
+    if (i >= rest.size()) throw BadLine{"a field's quotes do not end on its line"};
+    end = rest.find_first_not_of(" \t\r", i + 1);
+    if (end != std::string_view::npos && (is_last || rest[end] != ','))
+      throw BadLine{"more than a comma follows a field's quotes"};
+  }
+  if (!is_last && end == std::string_view::npos) throw BadLine{"is no `t,variable,value`"};
+  rest.remove_prefix(is_last ? rest.size() : end + 1);
+  return field;
+}
+
 /// What of a file's lines could not be taken.
 struct Losses {
   std::size_t lines = 0;           ///< that were passed over
@@ -244,18 +268,16 @@ Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFil
 
 std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream) {
   const auto take = [&stream](std::string_view line) {
-    if (line.empty() || line.front() == '#' || Trim(line) == "t,variable,value") return;
-    const CsvFields f(line);
-    if (f.size() < 3 || f.Text(1).empty()) throw BadLine{"is no `t,variable,value`"};
-    const double t = f.Number(0);
+    const std::string time = TakeField(line, false), variable = TakeField(line, false);
+    const std::string value = TakeField(line, true);
+    if (time == "t" && variable == "variable" && value == "value") return;
+    if (variable.empty()) throw BadLine{"is no `t,variable,value`"};
+    const double t = CsvFields(time).Number(0);
     if (!std::isfinite(t)) {
       ++stream.refused_rows;
       return;
     }
-    const std::size_t variable = line.find(',') + 1;
-    stream.source_rows.push_back({.t = t,
-                                  .variable = f.Text(1),
-                                  .value = MailValue(line.substr(line.find(',', variable) + 1))});
+    stream.source_rows.push_back({.t = t, .variable = variable, .value = MailValue(value)});
   };
   if (auto error = Note(ForEachLine(file, take), file, stream)) return error;
   std::ranges::stable_sort(stream.source_rows, {}, &SourceRow::t);

@@ -106,7 +106,8 @@ struct StreamFile {
 /// What meta.csv says; the error names file and line, also of what no vehicle can have.
 [[nodiscard]] Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta);
 /// Adds the rows of further sensors: `t,variable,value`, of which the value may hold commas. A
-/// value that is a number is one, any other is text. The error names file and line.
+/// value that is a number is one, any other is text. Fields may stand in CSV's quotes. The error
+/// names file and line.
 [[nodiscard]] std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream);
 /// Reads a stream from its folder: meta.csv, stream.csv.gz and, if there, sources.csv.gz or
 /// sources.csv. The error names file and line.

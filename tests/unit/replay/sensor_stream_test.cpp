@@ -190,6 +190,30 @@ TEST_F(SensorStreamTest, ReadsFurtherSensorsInOrderOfTime) {
   EXPECT_EQ(stream->refused_rows, 1);
 }
 
+TEST_F(SensorStreamTest, ReadsFurtherSensorsInQuotes) {
+  std::ofstream(folder_.path() / "sources.csv")
+      << "\"t\",\"variable\",\"value\"\n\"2\",\"USBL_FIX\",\"north=1,east=2\"\r\n"
+         "3,\"BEACON_RANGE\", \"31.25\"\n4,NOTE,\"a \"\"b\"\"\"\n5,NOTE,c=\"d\",e\n";
+  const auto stream = Load("DEP,0.1,3.5,0.02\n");
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  ASSERT_EQ(stream->source_rows.size(), 4U);
+  EXPECT_EQ(stream->source_rows[0].variable, "USBL_FIX");
+  EXPECT_EQ(stream->source_rows[0].value, Value("north=1,east=2"));
+  EXPECT_EQ(stream->source_rows[1].value, Value(31.25));
+  EXPECT_EQ(stream->source_rows[2].value, Value("a \"b\""));
+  EXPECT_EQ(stream->source_rows[3].value, Value("c=\"d\",e"));
+}
+
+TEST_F(SensorStreamTest, QuotesThatDoNotEndAreAnError) {
+  for (const char* line : {"1,NOTE,\"a", "1,\"NOTE,a", "1,NOTE,\"a\"b"}) {
+    std::ofstream(folder_.path() / "sources.csv") << line << "\n";
+    const auto stream = Load("DEP,0.1,3.5,0.02\n");
+    ASSERT_FALSE(stream.has_value()) << line;
+    EXPECT_THAT(stream.error().text, HasSubstr("sources.csv:1: "));
+    EXPECT_THAT(stream.error().text, HasSubstr("quotes"));
+  }
+}
+
 /// Two seconds, a frame with two boxes in each.
 std::vector<std::string> TwoSeconds() {
   std::vector<std::string> lines;
