@@ -88,6 +88,7 @@ struct SensorStream {
   /// Where north and east count from, if fixes came as latitude and longitude: the first of them.
   std::optional<GeoPoint> datum;
   std::vector<std::string> left_out;  ///< what else of the file is not in the rows, and why
+  std::vector<std::string> doubts;    ///< what of the rows may be otherwise than it was taken
 };
 
 /// A file's lines and what errors call it.

@@ -236,6 +236,8 @@ void WriteRawlog(const Arguments& given, const SensorStream& stream) {
 void PrintLosses(const SensorStream& stream) {
   for (const std::string& loss : stream.left_out)
     fmt::print(stderr, "{}\n", loss);
+  for (const std::string& doubt : stream.doubts)
+    fmt::print(stderr, "{}\n", doubt);
   if (stream.cut) fmt::print(stderr, "{}; what comes before was used\n", *stream.cut);
 }
 

@@ -147,6 +147,21 @@ TEST_F(NavVerbTest, AVehiclesFileThatContradictsMetaCountsAndIsSaid) {
   EXPECT_THAT(said, Not(HasSubstr("image_size")));
 }
 
+TEST_F(NavVerbTest, SaysThatAPauseMayBeAClockThatWasSet) {
+  std::ofstream rows(folder_.path() / "stream.csv.gz", std::ios::app);
+  for (int i = 0; i < 300; ++i) {
+    rows << fmt::format("ATT,{0:.2f},0,0,0,0.005,0.005,0.02\nDEP,{0:.2f},3.0,0.02\n",
+                        100.0 + 0.1 * i);
+  }
+  rows.close();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("all sensors pause or jump 40.1 s at t = 59.9 s"));
+  EXPECT_EQ(Run({folder_.path().string(), "--check"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("In doubt\n  "));
+}
+
 TEST_F(NavVerbTest, FramesOfAStreamWhoseCameraNobodySaysAreRefused) {
   AddFrame();
   ::testing::internal::CaptureStderr();
