@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,7 @@ class ClockMender {
         rows_.resize(i);
         break;
       }
+      if (MayBeAPauseOrAStep(i)) NoteJump(i);
       Mend(rows_[i]);
       before_.Note(rows_[i]);
     }
@@ -75,6 +77,7 @@ class ClockMender {
       stream_.left_out.push_back(fmt::format(
           "{}: the first {} rows are stamped long before all others, and left out", name_, stray_));
     }
+    SayJumps();
     for (SourceRow& row : stream_.source_rows) {
       row.t = MendedSource(row.t);
     }
@@ -110,6 +113,34 @@ class ClockMender {
         std::count_if(first, first + static_cast<std::ptrdiff_t>(kAsked),
                       [t](const StreamRow& row) { return std::abs(TimeOf(row) - t) < kTogether; });
     return static_cast<std::size_t>(agreeing) >= kAgreeing;
+  }
+  /// Nothing tells a short pause from a clock that was set ahead, but that several sensors leap at
+  /// once. One that falls silent for itself leaves the others' rows in between.
+  [[nodiscard]] bool MayBeAPauseOrAStep(std::size_t i) const {
+    if (!newest_ || LeapOf(i) <= kBack || LeapOf(i) > kAhead || !IsAgreedFrom(i)) return false;
+    return KindsOf(i, i + kAsked) > 1 && KindsOf(i - std::min(i, kAsked), i) > 1;
+  }
+  [[nodiscard]] std::size_t KindsOf(std::size_t first, std::size_t end) const {
+    std::set<std::size_t> kinds;
+    for (; first < end; ++first)
+      kinds.insert(rows_[first].index());
+    return kinds.size();
+  }
+  void NoteJump(std::size_t i) {
+    const double leap = LeapOf(i);
+    if (jumps_++ == 0) {
+      first_jump_ =
+          fmt::format("all sensors pause or jump {:.1f} s at t = {:.1f} s", leap, *newest_);
+      if (before_.GoesOnAs(AttitudeAndDepthFrom(i))) first_jump_ += ", and go on as they were";
+    }
+    jumped_ += leap;
+  }
+  void SayJumps() {
+    if (jumps_ == 0) return;
+    stream_.doubts.push_back(
+        fmt::format("{}: {}: a pause or a clock that was set ahead, taken for a pause; {} such, "
+                    "{:.1f} s in all",
+                    name_, first_jump_, jumps_, jumped_));
   }
   /// Until attitude and depth have been said again.
   [[nodiscard]] AttitudeAndDepth AttitudeAndDepthFrom(std::size_t i) const {
@@ -200,7 +231,10 @@ class ClockMender {
   std::optional<double> newest_;   ///< mended time
   std::vector<double> newest_at_;  ///< as each row came
   AttitudeAndDepth before_;
-  std::size_t stray_ = 0;  ///< rows at the beginning, of another time than all others
+  int jumps_ = 0;           ///< that may be pauses or steps
+  double jumped_ = 0.0;     ///< by all of them [s]
+  std::string first_jump_;  ///< of them, in words
+  std::size_t stray_ = 0;   ///< rows at the beginning, of another time than all others
 };
 
 }  // namespace

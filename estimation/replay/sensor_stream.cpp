@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -72,9 +73,6 @@ class StreamParser {
   explicit StreamParser(SensorStream& stream) : stream_(stream) {}
 
   void Take(std::string_view line) {
-    if (line.empty() || line.front() == '#') {
-      return;
-    }
     const CsvFields f(line);
     const std::string_view kind = f.kind();
     if (kind == "DET") {
@@ -148,48 +146,6 @@ class StreamParser {
   int missing_boxes_ = 0;
 };
 
-void TakeMeta(std::string_view line, StreamMeta& meta) {
-  const CsvFields f(line);
-  CameraModel& camera = meta.camera;
-  const auto vector = [&f] { return Eigen::Vector3d(f.Number(1), f.Number(2), f.Number(3)); };
-  if (f.kind() == "image_size") {
-    camera.width_px = f.Integer(1), camera.height_px = f.Integer(2);
-    meta.has_image_size = true;
-  } else if (f.kind() == "intrinsics_fx_fy_cx_cy") {
-    camera.fx = f.Number(1), camera.fy = f.Number(2);
-    camera.cx = f.Number(3), camera.cy = f.Number(4);
-    meta.has_intrinsics = true;
-  } else if (f.kind() == "distortion_k1_k2_p1_p2_k3") {
-    meta.distortion = {.k1 = f.Number(1),
-                       .k2 = f.Number(2),
-                       .p1 = f.Number(3),
-                       .p2 = f.Number(4),
-                       .k3 = f.Number(5)};
-  } else if (f.kind() == "cam_pos_body") {
-    camera.p_BC = vector();
-  } else if (f.kind() == "cam_R_body_from_cam") {
-    for (int i = 0; i < 9; ++i) {
-      camera.R_BC(i / 3, i % 3) = f.Number(static_cast<std::size_t>(i) + 1);
-    }
-  } else if (f.kind() == "dvl_pos_body") {
-    meta.dvl_B = vector();
-  } else if (f.kind() == "yaw_arw_rad_per_sqrt_s") {
-    meta.yaw_random_walk = f.Number(1);
-  } else if (f.kind() == "yaw_bias_sigma_rad_per_s") {
-    meta.yaw_bias_sigma = f.Number(1);
-  } else if (f.kind() == "dvl_scale_sigma") {
-    meta.dvl_scale_sigma = f.Number(1);
-  } else if (f.kind() == "dvl_bias_sigma") {
-    meta.dvl_bias_sigma = f.Number(1);
-  } else if (f.kind() == "dvl_misalign_sigma") {
-    meta.dvl_misalign_sigma = f.Number(1);
-  } else if (f.kind() == "opi_radius") {
-    meta.opi_radius = f.Number(1);
-  } else if (f.kind() == "stated_noise_velocity_depth_tilt") {
-    meta.noise = {.velocity = f.Number(1), .depth = f.Number(2), .tilt = f.Number(3)};
-  }
-}
-
 Value MailValue(std::string_view written) {
   const std::string_view text = Trim(written);
   double number = 0.0;
@@ -198,12 +154,38 @@ Value MailValue(std::string_view written) {
   return is_number ? Value(number) : Value(std::string(text));
 }
 
+/// Takes the first field off a line, with the comma behind it; of the last one commas are part. In
+/// quotes a quote is written twice.
+std::string TakeField(std::string_view& rest, bool is_last) {
+  const std::size_t begin = rest.find_first_not_of(" \t");
+  std::size_t end = is_last ? std::string_view::npos : rest.find(',');
+  std::string field;
+  if (begin == std::string_view::npos || rest[begin] != '"') {
+    field = Trim(rest.substr(0, end));
+  } else {
+    std::size_t i = begin + 1;
+    for (; i < rest.size() && (rest[i] != '"' || rest.substr(i, 2) == "\"\""); ++i) {
+      field += rest[i];
+      if (rest[i] == '"') ++i;
+    }
+    if (i >= rest.size()) throw BadLine{"a field's quotes do not end on its line"};
+    end = rest.find_first_not_of(" \t\r", i + 1);
+    if (end != std::string_view::npos && (is_last || rest[end] != ','))
+      throw BadLine{"more than a comma follows a field's quotes"};
+  }
+  if (!is_last && end == std::string_view::npos) throw BadLine{"is no `t,variable,value`"};
+  rest.remove_prefix(is_last ? rest.size() : end + 1);
+  return field;
+}
+
 /// What of a file's lines could not be taken.
 struct Losses {
   std::size_t lines = 0;           ///< that were passed over
   std::size_t sound = 0;           ///< before the first of them
   std::string first;               ///< why the first of them was, with file and line
   std::optional<std::string> cut;  ///< why the last line was, which is cut in two
+  std::size_t again = 0;           ///< lines that came before, word for word: one measurement
+  std::size_t first_again = 0;     ///< the first of them
 
   [[nodiscard]] std::string Text() const {
     return fmt::format("{}; {} {} passed over", first, lines, lines == 1 ? "line" : "lines");
@@ -219,9 +201,17 @@ struct Losses {
 template <class Take>
 Losses ForEachLine(const StreamFile& file, Take take) {
   Losses losses;
+  std::unordered_set<std::string_view> taken;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string& line = file.lines[i];
+    if (line.empty() || line.front() == '#') continue;
+    if (taken.contains(line)) {
+      if (losses.again++ == 0) losses.first_again = i + 1;
+      continue;
+    }
     try {
-      take(file.lines[i]);
+      take(line);
+      taken.insert(line);
     } catch (const BadLine& bad) {
       const std::string why = fmt::format("{}:{}: {}", file.name, i + 1, bad.why);
       if (i + 1 == file.lines.size() && !file.is_last_line_whole) {
@@ -245,30 +235,17 @@ StreamFile SoundPart(const StreamFile& file, const Losses& losses) {
 std::optional<Error> Note(const Losses& losses, const StreamFile& file, SensorStream& stream) {
   if (losses.AreTooMany(file)) return Error{losses.first};
   if (losses.lines > 0) stream.left_out.push_back(losses.Text());
+  if (losses.again > 0) {
+    stream.left_out.push_back(fmt::format(
+        "{}:{}: came before, word for word; {} such {} dropped: each row counts once", file.name,
+        losses.first_again, losses.again, losses.again == 1 ? "line was" : "lines were"));
+  }
   if (file.damage) stream.cut = file.damage;
   if (losses.cut) stream.cut = losses.cut;
   return std::nullopt;
 }
 
 }  // namespace
-
-Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta) {
-  StreamMeta said;
-  // What a stream would be wrongly read by if it were another vehicle's.
-  said.unsaid = {"cam_pos_body", "cam_R_body_from_cam", "dvl_pos_body", "opi_radius"};
-  const auto key = [&said](std::string_view line) {
-    TakeMeta(line, said);
-    std::erase(said.unsaid, line.substr(0, line.find(',')));
-  };
-  if (const Losses losses = ForEachLine(meta, key); losses.lines > 0 || losses.cut) {
-    return Error{losses.lines > 0 ? losses.first : *losses.cut};
-  }
-  if (meta.damage) return Error{*meta.damage};
-  if (!said.distortion.is_none() && !LensModel::IsOneToOne(said.camera, said.distortion)) {
-    return Error{fmt::format("{}: distortion_k1_k2_p1_p2_k3: folds the image", meta.name)};
-  }
-  return said;
-}
 
 Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFile& rows) {
   SensorStream stream;
@@ -291,18 +268,16 @@ Expected<SensorStream> ParseSensorStream(const StreamFile& meta, const StreamFil
 
 std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream) {
   const auto take = [&stream](std::string_view line) {
-    if (line.empty() || line.front() == '#' || Trim(line) == "t,variable,value") return;
-    const CsvFields f(line);
-    if (f.size() < 3 || f.Text(1).empty()) throw BadLine{"is no `t,variable,value`"};
-    const double t = f.Number(0);
+    const std::string time = TakeField(line, false), variable = TakeField(line, false);
+    const std::string value = TakeField(line, true);
+    if (time == "t" && variable == "variable" && value == "value") return;
+    if (variable.empty()) throw BadLine{"is no `t,variable,value`"};
+    const double t = CsvFields(time).Number(0);
     if (!std::isfinite(t)) {
       ++stream.refused_rows;
       return;
     }
-    const std::size_t variable = line.find(',') + 1;
-    stream.source_rows.push_back({.t = t,
-                                  .variable = f.Text(1),
-                                  .value = MailValue(line.substr(line.find(',', variable) + 1))});
+    stream.source_rows.push_back({.t = t, .variable = variable, .value = MailValue(value)});
   };
   if (auto error = Note(ForEachLine(file, take), file, stream)) return error;
   std::ranges::stable_sort(stream.source_rows, {}, &SourceRow::t);

@@ -35,6 +35,7 @@ struct StreamMeta {
   LensDistortion distortion;                            ///< its lens
   bool has_image_size = false, has_intrinsics = false;  ///< of the camera, in the file
   std::vector<std::string> unsaid;  ///< keys that the file lacks: what stands here is usual
+  std::vector<std::string> said;    ///< keys that it has
   StatedNoise noise;
   Eigen::Vector3d dvl_B = Eigen::Vector3d::Zero();
   double yaw_random_walk = 3.5e-6;  ///< [rad/sqrt(s)]
@@ -87,6 +88,7 @@ struct SensorStream {
   /// Where north and east count from, if fixes came as latitude and longitude: the first of them.
   std::optional<GeoPoint> datum;
   std::vector<std::string> left_out;  ///< what else of the file is not in the rows, and why
+  std::vector<std::string> doubts;    ///< what of the rows may be otherwise than it was taken
 };
 
 /// A file's lines and what errors call it.
@@ -98,13 +100,15 @@ struct StreamFile {
 };
 /// The error names file and line. A recorder that lost power leaves a last line, frame or block of
 /// a gzip file cut in two: what comes before is the stream, and `cut` says so. Damaged lines in
-/// between, up to one in a hundred, are passed over, and `left_out` names the first.
+/// between, up to one in a hundred, are passed over, and `left_out` names the first; so it does of
+/// rows that come again word for word, which are dropped.
 [[nodiscard]] Expected<SensorStream> ParseSensorStream(const StreamFile& meta,
                                                        const StreamFile& rows);
-/// What meta.csv says; the error names file and line.
+/// What meta.csv says; the error names file and line, also of what no vehicle can have.
 [[nodiscard]] Expected<StreamMeta> ParseStreamMeta(const StreamFile& meta);
 /// Adds the rows of further sensors: `t,variable,value`, of which the value may hold commas. A
-/// value that is a number is one, any other is text. The error names file and line.
+/// value that is a number is one, any other is text. Fields may stand in CSV's quotes. The error
+/// names file and line.
 [[nodiscard]] std::optional<Error> AddSourceRows(const StreamFile& file, SensorStream& stream);
 /// Reads a stream from its folder: meta.csv, stream.csv.gz and, if there, sources.csv.gz or
 /// sources.csv. The error names file and line.

@@ -20,6 +20,7 @@
 #include "estimation/replay/former_landmarks.hpp"
 #include "estimation/replay/rawlog.hpp"
 #include "estimation/replay/replay.hpp"
+#include "estimation/replay/stream_meta.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/harmless_text.hpp"
@@ -172,12 +173,25 @@ std::string SourcesSummary(const SourceUse& use) {
   return text;
 }
 
+/// Somebody has taken the wrong file, or meta.csv is another vehicle's.
+void SayContradictions(const Arguments& given, const StreamMeta& meta, const VehicleFile& vehicle) {
+  const VehicleGeometry geometry{.image = vehicle.camera.pinhole(),
+                                 .distortion = vehicle.camera.lens_distortion(),
+                                 .dvl_B = vehicle.sensors.dvl.p_BD};
+  for (const Contradiction& one : Contradictions(meta, geometry)) {
+    fmt::print(stderr, "{}: its meta.csv says {} {}, but {} {}: the vehicle's file counts\n",
+               given.positionals().front(), one.key, one.in_meta, *given.Find("vehicle"),
+               one.in_vehicle);
+  }
+}
+
 /// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
 Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) {
   const SensorStream& stream = input.stream;
   if (const auto file = given.Find("vehicle")) {
     try {
       VehicleFile vehicle = LoadMissionVehicle(*file, fs::current_path());
+      SayContradictions(given, stream.meta, vehicle);
       // A speed that navigation says is the vehicle's, not its DVL's.
       if (input.is_own_navigation) vehicle.sensors.dvl.p_BD.setZero();
       return ReplayParams{
@@ -222,6 +236,8 @@ void WriteRawlog(const Arguments& given, const SensorStream& stream) {
 void PrintLosses(const SensorStream& stream) {
   for (const std::string& loss : stream.left_out)
     fmt::print(stderr, "{}\n", loss);
+  for (const std::string& doubt : stream.doubts)
+    fmt::print(stderr, "{}\n", doubt);
   if (stream.cut) fmt::print(stderr, "{}; what comes before was used\n", *stream.cut);
 }
 

@@ -242,6 +242,9 @@ std::string CheckText(const Recording& recording, const RecordingCheck& check) {
   if (!recording.left_out.empty()) text += "Left out\n";
   for (const std::string& left_out : recording.left_out)
     text += "  " + left_out + "\n";
+  if (!recording.doubts.empty()) text += "In doubt\n";
+  for (const std::string& doubt : recording.doubts)
+    text += "  " + doubt + "\n";
   return text;
 }
 
@@ -261,7 +264,8 @@ std::string CheckJson(const Recording& recording, const RecordingCheck& check) {
                     {"own_navigation", check.own ? JsonOf(*check.own) : Json(nullptr)},
                     {"vertical", vertical},
                     {"missing", missing},
-                    {"left_out", recording.left_out}};
+                    {"left_out", recording.left_out},
+                    {"doubts", recording.doubts}};
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -23,7 +23,8 @@ Recording RecordingOf(const SensorStream& stream, const std::string& name) {
                       .depths = {},
                       .own = {},
                       .missing = {},
-                      .left_out = stream.left_out};
+                      .left_out = stream.left_out,
+                      .doubts = stream.doubts};
   for (const StreamRow& row : stream.rows) {
     if (const auto* dvl = std::get_if<DvlRow>(&row)) {
       recording.pings.push_back({.t = dvl->t,

@@ -54,7 +54,8 @@ struct Recording {
   std::vector<DepthRow> depths;
   OwnNavigation own{};
   std::vector<MissingData> missing;
-  std::vector<std::string> left_out;  ///< files and rows that are not in here, and why
+  std::vector<std::string> left_out;     ///< files and rows that are not in here, and why
+  std::vector<std::string> doubts = {};  ///< what may be otherwise than it was taken
 };
 
 /// What a stream of our own form, or of a rawlog, says of the same.

@@ -134,6 +134,34 @@ TEST_F(NavVerbTest, TakesSensorsAndCameraFromTheVehiclesFile) {
   EXPECT_TRUE(Text("error.svg") != with_feelhippo) << "its DVL is believed less: wider bounds";
 }
 
+TEST_F(NavVerbTest, AVehiclesFileThatContradictsMetaCountsAndIsSaid) {
+  std::ofstream(folder_.path() / "meta.csv", std::ios::app)
+      << "dvl_pos_body,0.4,0,0.1\ncam_pos_body,0.25,0,0.15\n";
+  const std::string stream = folder_.path().string(), out = (folder_.path() / "out").string();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({stream, "--out", out, "--vehicle", "feelhippo.yaml"}), kOk);
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("its meta.csv says dvl_pos_body 0.4, 0, 0.1, but feelhippo.yaml -0.2,"
+                              " 0, 0.18: the vehicle's file counts"));
+  EXPECT_THAT(said, HasSubstr("its meta.csv says cam_pos_body"));
+  EXPECT_THAT(said, Not(HasSubstr("image_size")));
+}
+
+TEST_F(NavVerbTest, SaysThatAPauseMayBeAClockThatWasSet) {
+  std::ofstream rows(folder_.path() / "stream.csv.gz", std::ios::app);
+  for (int i = 0; i < 300; ++i) {
+    rows << fmt::format("ATT,{0:.2f},0,0,0,0.005,0.005,0.02\nDEP,{0:.2f},3.0,0.02\n",
+                        100.0 + 0.1 * i);
+  }
+  rows.close();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              HasSubstr("all sensors pause or jump 40.1 s at t = 59.9 s"));
+  EXPECT_EQ(Run({folder_.path().string(), "--check"}), kOk);
+  EXPECT_THAT(output_, HasSubstr("In doubt\n  "));
+}
+
 TEST_F(NavVerbTest, FramesOfAStreamWhoseCameraNobodySaysAreRefused) {
   AddFrame();
   ::testing::internal::CaptureStderr();

@@ -101,6 +101,33 @@ TEST(ClockSteps, AreNoneInAStreamWithoutThem) {
   TakeOutClockSteps("run", stream);
   EXPECT_EQ(GreatestError(stream), 0.0);
   EXPECT_THAT(stream.left_out, IsEmpty());
+  EXPECT_THAT(stream.doubts, IsEmpty());
+}
+
+class ClockThatMayHaveBeenSet : public ::testing::TestWithParam<double> {};
+
+TEST_P(ClockThatMayHaveBeenSet, IsTakenForAPauseAndSaid) {
+  SensorStream stream = Swim();
+  SetClock(stream, 200.0, GetParam());
+  SetClock(stream, 400.0 + GetParam(), GetParam());
+  TakeOutClockSteps("run", stream);
+  EXPECT_NEAR(StampOf(stream.rows.back()), 600.0 + 2.0 * GetParam(), 1.0);
+  EXPECT_THAT(stream.left_out, IsEmpty());
+  ASSERT_THAT(stream.doubts, ElementsAre(HasSubstr("run: all sensors pause or jump ")));
+  EXPECT_THAT(stream.doubts.front(), HasSubstr("s, and go on as they were: a pause or a clock"));
+  EXPECT_THAT(stream.doubts.front(), HasSubstr("2 such, "));
+}
+
+INSTANTIATE_TEST_SUITE_P(By, ClockThatMayHaveBeenSet, ::testing::Values(6.0, 60.0, 590.0));
+
+TEST(ClockSteps, ASensorThatFallsSilentForItselfIsNoDoubt) {
+  SensorStream stream = Swim();
+  std::erase_if(stream.rows, [](const StreamRow& row) {
+    const bool is_attitude = std::holds_alternative<AttitudeEstimate>(row);
+    return !is_attitude && StampOf(row) > 200.0 && StampOf(row) < 260.0;
+  });
+  TakeOutClockSteps("run", stream);
+  EXPECT_THAT(stream.doubts, IsEmpty());
 }
 
 TEST(ClockSteps, AFewWrongStampsAreLeftToTheGates) {

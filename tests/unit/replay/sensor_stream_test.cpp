@@ -2,7 +2,10 @@
 #include "estimation/replay/sensor_stream.hpp"
 
 #include <fstream>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -73,7 +76,7 @@ TEST_F(SensorStreamTest, NamesTheLineThatHasAWordWhereANumberBelongs) {
 TEST_F(SensorStreamTest, PassesOverADamagedLineOfManyAndSaysSo) {
   std::string text;
   for (int i = 0; i < 300; ++i) {
-    text += "DEP,0.1,3.5,0.02\n";
+    text += fmt::format("DEP,{:.1f},3.5,0.02\n", 0.1 * i);
     if (i == 100) text += "D\x80L,xx,1\nFRM,0.3,0.5,7,2\nDET,0.3,0.5,7,0,9,9,8,8,0.9,1\n";
   }
   const auto stream = Load(text);
@@ -185,6 +188,72 @@ TEST_F(SensorStreamTest, ReadsFurtherSensorsInOrderOfTime) {
   EXPECT_EQ(stream->source_rows[0].value, Value(31.25));
   EXPECT_EQ(stream->source_rows[1].value, Value("north=1,east=2"));
   EXPECT_EQ(stream->refused_rows, 1);
+}
+
+TEST_F(SensorStreamTest, ReadsFurtherSensorsInQuotes) {
+  std::ofstream(folder_.path() / "sources.csv")
+      << "\"t\",\"variable\",\"value\"\n\"2\",\"USBL_FIX\",\"north=1,east=2\"\r\n"
+         "3,\"BEACON_RANGE\", \"31.25\"\n4,NOTE,\"a \"\"b\"\"\"\n5,NOTE,c=\"d\",e\n";
+  const auto stream = Load("DEP,0.1,3.5,0.02\n");
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  ASSERT_EQ(stream->source_rows.size(), 4U);
+  EXPECT_EQ(stream->source_rows[0].variable, "USBL_FIX");
+  EXPECT_EQ(stream->source_rows[0].value, Value("north=1,east=2"));
+  EXPECT_EQ(stream->source_rows[1].value, Value(31.25));
+  EXPECT_EQ(stream->source_rows[2].value, Value("a \"b\""));
+  EXPECT_EQ(stream->source_rows[3].value, Value("c=\"d\",e"));
+}
+
+TEST_F(SensorStreamTest, QuotesThatDoNotEndAreAnError) {
+  for (const char* line : {"1,NOTE,\"a", "1,\"NOTE,a", "1,NOTE,\"a\"b"}) {
+    std::ofstream(folder_.path() / "sources.csv") << line << "\n";
+    const auto stream = Load("DEP,0.1,3.5,0.02\n");
+    ASSERT_FALSE(stream.has_value()) << line;
+    EXPECT_THAT(stream.error().text, HasSubstr("sources.csv:1: "));
+    EXPECT_THAT(stream.error().text, HasSubstr("quotes"));
+  }
+}
+
+/// Two seconds, a frame with two boxes in each.
+std::vector<std::string> TwoSeconds() {
+  std::vector<std::string> lines;
+  for (int i = 0; i < 20; ++i) {
+    lines.push_back(fmt::format("ATT,{:.1f},0,0,0,0.005,0.005,0.02\n", 0.1 * i));
+    lines.push_back(fmt::format("DVL,{:.1f},0,,,,,,,,,,\n", 0.1 * i));
+    if (i % 10 != 0) continue;
+    lines.push_back(fmt::format("FRM,{0:.1f},{0:.1f},{1},2\n", 0.1 * i, i));
+    for (int box = 0; box < 2; ++box)
+      lines.push_back(
+          fmt::format("DET,{0:.1f},{0:.1f},{1},{2},300,200,80,80,0.9,1\n", 0.1 * i, i, box));
+  }
+  return lines;
+}
+
+TEST_F(SensorStreamTest, LinesThatAreWrittenTwiceCountOnceAndAreSaid) {
+  std::string once, twice;
+  for (const std::string& line : TwoSeconds()) {
+    once += line;
+    twice += line + line;
+  }
+  const auto stream = Load(twice);
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  EXPECT_EQ(stream->rows.size(), Load(once)->rows.size());
+  EXPECT_THAT(stream->left_out,
+              ElementsAre(HasSubstr("stream.csv.gz:2: came before, word for word; 46 such lines")));
+  EXPECT_EQ(std::get<FrameRow>(stream->rows[2]).frame.boxes.size(), 2U);
+}
+
+TEST_F(SensorStreamTest, SecondsThatAreWrittenTwiceCountOnceAndNoClockWasSet) {
+  const std::vector<std::string> lines = TwoSeconds();
+  std::string text;
+  for (const std::string& line : lines)
+    text += line;
+  for (std::size_t i = 23; i < lines.size(); ++i)  // the last second again
+    text += lines[i];
+  const auto stream = Load(text + "DEP,2.0,3.5,0.02\n");
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  EXPECT_EQ(stream->rows.size(), 43U);
+  EXPECT_THAT(stream->left_out, ElementsAre(HasSubstr("23 such lines were dropped")));
 }
 
 TEST_F(SensorStreamTest, NamesTheLineOfAFurtherSensorItCannotRead) {
