@@ -282,6 +282,7 @@ void MapApp::FollowWater(const VisibilityBelief& water) {
   planned_visibility_ = visibility;
   has_told_looks_ = false;
   ground_looks_.SetModel(PlannedLook());
+  layer_.SetDetection(PlannedDetection());
   if (ground_) {
     ground_->SetReach(PlannedDetection().HalfRange());
   }
@@ -301,18 +302,21 @@ void MapApp::TellWater(Seconds now) {
   WarnOfMurk(water);
 }
 
-std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water) const {
+std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water, double farther) const {
   if (!gate_.altitude()) {
     return std::nullopt;
   }
   return water.Expect(
-      params_.status.detection.Detects(*gate_.altitude(), 1.0, VisibilityBelief::Grid()));
+      params_.status.detection.Detects(farther * *gate_.altitude(), 1.0, VisibilityBelief::Grid()));
 }
 
 void MapApp::WarnOfMurk(const VisibilityBelief& water) {
+  // An estimate on the threshold wavers: over is what would not come back at a fifth more range.
+  constexpr double kClearlyNearer = 1.2;
   const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
-  const std::optional<double> chance = ChanceAtSeabed(water);
-  if (is_surveying && chance && *chance < kLookChance) {
+  const std::optional<double> chance = ChanceAtSeabed(water, is_murky_ ? kClearlyNearer : 1.0);
+  is_murky_ = is_surveying && chance && *chance < kLookChance;
+  if (is_murky_) {
     const VisibilityEstimate estimate = water.estimate();
     Warn(warnings::kWaterMurky,
          fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
