@@ -22,6 +22,11 @@ bool IsOpen(const OpiBelief& object) {
   return object.decided == Status::kUncertain || object.decided == Status::kNotInspected;
 }
 
+/// How sure it is whether an object that is there was there before.
+double Surest(const OpiBelief& object) {
+  return std::max(object.posterior.confirmed, object.posterior.appeared);
+}
+
 /// Follows objects from session to session.
 class HistoryKeeper {
  public:
@@ -89,16 +94,18 @@ class HistoryKeeper {
   }
 
   /// As the last session judges it that knows what was there before: one that looked elsewhere
-  /// leaves it open. One that had another object there says nothing of this one.
+  /// leaves it open. If all do, as the one that says most. One that had another object there says
+  /// nothing of this one.
   [[nodiscard]] HistoryEntry EntryOfNewcomer(const OpiBelief& object, std::size_t now) {
-    if (!IsOpen(object)) return EntryOf(object, now - 1, now);
-    for (std::size_t former = now - 1; former-- > 0;) {
+    const OpiBelief* best = &object;
+    std::size_t by = now - 1;
+    for (std::size_t former = now - 1; IsOpen(*best) && former-- > 0;) {
       const std::vector<OpiBelief>& said = Between(former, now).objects;
       const auto found = std::ranges::find(said, object.landmark, &OpiBelief::landmark);
-      if (found != said.end() && !found->prior_id && !IsOpen(*found))
-        return EntryOf(*found, former, now);
+      if (found == said.end() || found->prior_id) continue;
+      if (!IsOpen(*found) || Surest(*found) > Surest(*best)) best = &*found, by = former;
     }
-    return EntryOf(object, now - 1, now);
+    return EntryOf(*best, by, now);
   }
 
   /// What session `now` says of an object, judged by session `former`.
