@@ -302,31 +302,6 @@ void MapApp::TellWater(Seconds now) {
   WarnOfMurk(water);
 }
 
-std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water, double farther) const {
-  if (!gate_.altitude()) {
-    return std::nullopt;
-  }
-  return water.Expect(
-      params_.status.detection.Detects(farther * *gate_.altitude(), 1.0, VisibilityBelief::Grid()));
-}
-
-void MapApp::WarnOfMurk(const VisibilityBelief& water) {
-  // An estimate on the threshold wavers: over is what would not come back at a fifth more range.
-  constexpr double kClearlyNearer = 1.2;
-  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
-  const std::optional<double> chance = ChanceAtSeabed(water, is_murky_ ? kClearlyNearer : 1.0);
-  is_murky_ = is_surveying && chance && *chance < kLookChance;
-  if (is_murky_) {
-    const VisibilityEstimate estimate = water.estimate();
-    Warn(warnings::kWaterMurky,
-         fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
-                     "{:.1f} m, give or take {:.1f} m",
-                     *gate_.altitude(), estimate.visibility.value(), estimate.sd.value()));
-  } else {
-    ClearWarning(warnings::kWaterMurky);
-  }
-}
-
 void MapApp::Tick(Seconds now) {
   TellHowItLooks();
   static_cast<void>(map_.beams().Settle());
