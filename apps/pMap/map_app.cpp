@@ -282,6 +282,7 @@ void MapApp::FollowWater(const VisibilityBelief& water) {
   planned_visibility_ = visibility;
   has_told_looks_ = false;
   ground_looks_.SetModel(PlannedLook());
+  layer_.SetDetection(PlannedDetection());
   if (ground_) {
     ground_->SetReach(PlannedDetection().HalfRange());
   }
@@ -299,28 +300,6 @@ void MapApp::TellWater(Seconds now) {
           WaterVisibility{.visibility = estimate.visibility.value(), .sd = estimate.sd.value()});
   FollowWater(water);
   WarnOfMurk(water);
-}
-
-std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water) const {
-  if (!gate_.altitude()) {
-    return std::nullopt;
-  }
-  return water.Expect(
-      params_.status.detection.Detects(*gate_.altitude(), 1.0, VisibilityBelief::Grid()));
-}
-
-void MapApp::WarnOfMurk(const VisibilityBelief& water) {
-  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
-  const std::optional<double> chance = ChanceAtSeabed(water);
-  if (is_surveying && chance && *chance < kLookChance) {
-    const VisibilityEstimate estimate = water.estimate();
-    Warn(warnings::kWaterMurky,
-         fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
-                     "{:.1f} m, give or take {:.1f} m",
-                     *gate_.altitude(), estimate.visibility.value(), estimate.sd.value()));
-  } else {
-    ClearWarning(warnings::kWaterMurky);
-  }
 }
 
 void MapApp::Tick(Seconds now) {

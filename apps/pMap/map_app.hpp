@@ -69,8 +69,10 @@ class MapApp final : public App {
   /// The water as now estimated, now and then, and whether the seabed is in sight.
   void TellWater(Seconds now);
   void WarnOfMurk(const VisibilityBelief& water);
-  /// Chance that a frame shows an object on the seabed below; nothing if the altitude is not known.
-  [[nodiscard]] std::optional<double> ChanceAtSeabed(const VisibilityBelief& water) const;
+  /// Chance that a frame shows an object on the seabed below, or `farther` times as far off;
+  /// nothing if the altitude is not known.
+  [[nodiscard]] std::optional<double> ChanceAtSeabed(const VisibilityBelief& water,
+                                                     double farther = 1.0) const;
   void UpdateObjects();
   void PublishObjects();
 
@@ -95,6 +97,7 @@ class MapApp final : public App {
   bool landmarks_changed_ = false;  ///< since places were last judged exactly where they are
   std::optional<Value> last_objects_;
   bool has_told_looks_ = false;
+  bool is_murky_ = false;       ///< as last warned of
   Meters planned_visibility_;   ///< by which coverage is counted and views are planned
   double planned_seams_ = 0.0;  ///< by what images are drawn in where views are planned [m]
   int beams_ = 0, beams_left_out_ = 0, beams_in_window_ = 0, left_out_in_window_ = 0;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What an operator sees of the map.
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "apps/pMap/map_app.hpp"
+#include "apps/pMap/map_warnings.hpp"
+#include "limpet/survey/look.hpp"
 
 namespace limpet {
 namespace {
@@ -22,6 +25,31 @@ std::string LeftOut(const FrameGate& gate) {
 }
 
 }  // namespace
+
+std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water, double farther) const {
+  if (!gate_.altitude()) {
+    return std::nullopt;
+  }
+  return water.Expect(
+      params_.status.detection.Detects(farther * *gate_.altitude(), 1.0, VisibilityBelief::Grid()));
+}
+
+void MapApp::WarnOfMurk(const VisibilityBelief& water) {
+  // An estimate on the threshold wavers: over is what would not come back at a fifth more range.
+  constexpr double kClearlyNearer = 1.2;
+  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
+  const std::optional<double> chance = ChanceAtSeabed(water, is_murky_ ? kClearlyNearer : 1.0);
+  is_murky_ = is_surveying && chance && *chance < kLookChance;
+  if (is_murky_) {
+    const VisibilityEstimate estimate = water.estimate();
+    Warn(warnings::kWaterMurky,
+         fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
+                     "{:.1f} m, give or take {:.1f} m",
+                     *gate_.altitude(), estimate.visibility.value(), estimate.sd.value()));
+  } else {
+    ClearWarning(warnings::kWaterMurky);
+  }
+}
 
 void MapApp::Report(ReportLines& report) const {
   report.Pair("Phase", phase_.empty() ? "none announced: every frame counts" : phase_);

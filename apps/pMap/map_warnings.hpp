@@ -42,7 +42,7 @@ inline const WarningId kWaterMurky = DeclareWarning(
      .meaning = "While surveying, an object on the seabed would more likely than not be out of "
                 "sight from the altitude flown: so says how far objects were and were not seen.",
      .action = "Fly lower, or another day; what was not seen is not proven absent (docs/water.md).",
-     .clears = "Once the estimate or a lower altitude brings the seabed into sight, or out of the "
+     .clears = "Once one would still be in sight from a fifth higher, or out of the "
                "survey phase."});
 
 inline const WarningId kBeamsLeftOut = DeclareWarning(

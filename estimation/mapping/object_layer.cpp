@@ -9,10 +9,8 @@ namespace {
 
 constexpr double kWellVisible = 0.75;  ///< share of the object inside the image that makes a look
 constexpr float kOccupiedPerLook = 0.85F;
-constexpr double kFormerLogOdds = 2.2;  ///< P_a = 0.9 for an object that only a former session saw
 /// An object that moved farther than this is judged again from all frames [m].
 constexpr double kRejudgeDistance = 0.3;
-constexpr double kVirtualHeight = 3.0;  ///< former objects are drawn as seen from here above [m]
 
 double LogOdds(double p) {
   const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
@@ -37,20 +35,13 @@ VoxelLabel LabelOf(const OpiBelief& status) {
   return VoxelLabel::kUncertain;
 }
 
-/// The look that shows a whole object from straight above.
-ObjectLook VirtualLook(const Eigen::Vector3d& p_W, double radius, const CameraModel& camera) {
-  const double depth = kVirtualHeight + radius;
-  return {.X_WB = {.p_WB = p_W - Eigen::Vector3d(0.0, 0.0, depth)},
-          .box = {.u = camera.cx,
-                  .v = camera.cy,
-                  .w = 2.0 * radius * camera.fx / depth,
-                  .h = 2.0 * radius * camera.fy / depth,
-                  .confidence = 0.9,
-                  .color = {}},
-          .object_W = p_W};
-}
-
 }  // namespace
+
+void ObjectLayer::SetDetection(const DetectionModel& detection) {
+  status_.detection = detection;
+  for (auto& [id, object] : objects_)
+    object.is_of_other_water = true;
+}
 
 bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const {
   if (!object.last_viewpoint) {
@@ -70,6 +61,7 @@ double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& p_W) co
                                          .detection = status_.detection,
                                          .object_radius = status_.object_radius.value()},
                                         X_WB, p_W);
+  if (detects < kLookChance) return 0.0;  // most likely it would not have been seen
   const double false_alarm = status_.detection.false_per_image;
   return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
 }
@@ -118,6 +110,7 @@ void ObjectLayer::Judge(Painted& object, const ObjectStatuses& book) const {
   object.last_miss.reset();
   object.last_viewpoint.reset();
   object.judged_at_W = object.status.object.p_W;
+  object.is_of_other_water = false;
   for (const ObservedFrame& frame : book.frames()) {
     Look(object, frame, book);
   }
@@ -139,7 +132,8 @@ void ObjectLayer::Follow(Painted& object, const OpiBelief& status,
     object.looks.clear();
   }
   // At a place where it was thought to be before, frames showed nothing: no evidence against it.
-  if (is_another || (object.judged_at_W - status.object.p_W).norm() > kRejudgeDistance) {
+  if (is_another || object.is_of_other_water ||
+      (object.judged_at_W - status.object.p_W).norm() > kRejudgeDistance) {
     Judge(object, book);
     object.is_stale = true;
   } else if (!object.is_stale) {
@@ -175,6 +169,7 @@ void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const Object
 std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double radius,
                                                double resolution) const {
   std::map<VoxelKey, double> sum;
+  if (object.status.decided == Status::kRemoved) return sum;  // nothing stands there
   for (const ObjectLook& look : object.looks) {
     const Eigen::Vector3d shift = object.status.object.p_W - look.object_W;
     std::map<VoxelKey, double> strongest;  // many rays of one look in one voxel are one witness
@@ -188,12 +183,6 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
   }
   for (auto& [key, log_odds] : sum) {
     log_odds += object.miss_log_odds;
-  }
-  if (sum.empty() && object.status.prior_id) {
-    const ObjectLook look = VirtualLook(object.status.object.p_W, radius, camera_);
-    for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
-      sum[KeyOf(point.p_W, resolution)] = kFormerLogOdds;
-    }
   }
   return sum;
 }

@@ -24,10 +24,13 @@ class ObjectLayer {
   ObjectLayer(const Params& params, const StatusParams& status, const CameraModel& camera)
       : params_(params), status_(status), camera_(camera) {}
 
+  /// Another detection, as water is other than was thought: all looks are judged anew by it when
+  /// objects are set next.
+  void SetDetection(const DetectionModel& detection);
   /// One frame: at most one look at each known object.
   void AddFrame(const ObservedFrame& frame, const ObjectStatuses& book);
   /// All objects as now believed; new ones are judged from all frames of the book. Paints what has
-  /// changed.
+  /// changed. What no look of this session showed has no voxels, nor has what is removed.
   void SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
                   SemanticMap& map);
   /// The object's largest cluster of voxels; nothing before they pass the threshold.
@@ -44,11 +47,13 @@ class ObjectLayer {
     std::map<VoxelKey, double> log_odds;  ///< P_a per voxel, as painted
     std::optional<ObjectCluster> cluster;
     bool is_stale = true;
+    bool is_of_other_water = false;  ///< its looks were judged by another detection than now
   };
 
   void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& book) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
-  /// What a frame without a box says; 0 where the object would not be well visible.
+  /// What a frame without a box says; 0 where it would more likely than not have
+  /// been overlooked.
   [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& p_W) const;
   /// Takes the object's looks from all frames of the book.
   void Judge(Painted& object, const ObjectStatuses& book) const;

@@ -38,7 +38,9 @@ int main(int argc, char** argv) {
   if (argc > 1) plan.scenes = std::max(1, std::atoi(argv[1]));
   if (argc > 2) plan.seed = static_cast<std::uint64_t>(std::max(1, std::atoi(argv[2])));
   const limpet::TrialResult trial = limpet::ToTrialResult(limpet::trial::RunDetector(plan));
-  fmt::print("{}", limpet::DetectorSheetText(
-                       {.detector = plan.detector, .made_with = "fit_box_model"}, trial));
+  fmt::print("{}", limpet::DetectorSheetText({.detector = plan.detector,
+                                              .made_with = "fit_box_model",
+                                              .file = plan.detector + ".yaml"},
+                                             trial));
   return 0;
 }

@@ -32,8 +32,8 @@ Command ChangeForm() {
               "what B's pNav decided when it flew with A as its former session, else what it "
               "would decide. DIR is a session's run folder or the session folder in it. Each "
               "session is judged with pMap's parameters of the mission that it kept. With more "
-              "than two sessions `changes` are those of the last one, and `objects` tell each "
-              "object's history, which csv and geojson do not have.",
+              "than two sessions `changes` are of the last one by the one before it alone, and "
+              "`objects` tell each object's history, which csv and geojson do not have.",
           .options = {{.names = "--session-a",
                        .value = "DIR",
                        .meaning = "the earlier session",
@@ -127,6 +127,8 @@ std::string FormatOf(const Arguments& given) {
     throw UsageError(
         fmt::format("--format: `{}` is no format; there are json, csv, geojson", format));
   }
+  if (given.Has("json") && format != "json")
+    throw UsageError(fmt::format("--json and --format {}: it is written in one of them", format));
   return format;
 }
 

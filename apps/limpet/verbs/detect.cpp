@@ -73,6 +73,7 @@ Command DetectForm() {
                        .meaning = "of these worlds",
                        .fallback = "1",
                        .rule = WholeNumber(0, 1'000'000'000)},
+                      {.names = "--force", .meaning = "writes over a detector's file"},
                       {.names = "--set",
                        .value = "KEY=V",
                        .meaning = "override a parameter of the detector",
@@ -172,9 +173,9 @@ void MakeDrawingFolder(const fs::path& folder) {
 /// Throws UsageError for an option that would do nothing.
 void RefuseIdleOptions(const Arguments& arguments) {
   const bool is_trial = arguments.Has("characterise");
-  const std::vector<std::string> idle = is_trial
-                                            ? std::vector<std::string>{"min-confidence", "draw"}
-                                            : std::vector<std::string>{"worlds", "colors", "seed"};
+  const std::vector<std::string> idle =
+      is_trial ? std::vector<std::string>{"min-confidence", "draw"}
+               : std::vector<std::string>{"worlds", "colors", "seed", "force"};
   for (const std::string& option : idle) {
     if (!arguments.Has(option)) continue;
     throw UsageError(is_trial ? fmt::format("--characterise takes no --{}", option)
@@ -209,11 +210,20 @@ std::string CommandOf(const Arguments& arguments) {
   return text;
 }
 
-int Characterise(const Arguments& arguments) {
+/// Throws UsageError.
+void CheckTrial(const Arguments& arguments) {
   if (!arguments.positionals().empty())
     throw UsageError("--characterise renders its own pictures and takes none");
+  const std::string out = *arguments.Find("out");
+  if (fs::path(out).extension() != ".yaml")
+    throw UsageError(fmt::format("--out: {}: a detector's file is a .yaml", out));
+}
+
+int Characterise(const Arguments& arguments) {
+  CheckTrial(arguments);
   const std::unique_ptr<Detector> detector = DetectorOf(arguments);
-  CommandOutput output(arguments.Find("out"), true, {});  // refused before the work, not after
+  // Refused before the work, not after.
+  CommandOutput output(arguments.Find("out"), arguments.Has("force"), {});
   TrialPlan plan;
   plan.colors = ColorsOf(arguments);
   plan.worlds = arguments.Integer("worlds");
@@ -225,8 +235,11 @@ int Characterise(const Arguments& arguments) {
     return look.kind == SolidKind::kSphere && look.found.has_value();
   });
   if (!finds) throw Refusal("the detector found no ball in any picture: there is no model of that");
-  output.Write(DetectorSheetText(
-      {.detector = *arguments.Find("detector"), .made_with = CommandOf(arguments)}, trial));
+  if (const auto problem = TooFewBalls(trial)) throw Refusal(*problem);
+  output.Write(DetectorSheetText({.detector = *arguments.Find("detector"),
+                                  .made_with = CommandOf(arguments),
+                                  .file = output.path().filename().string()},
+                                 trial));
   output.Commit();
   return kOk;
 }

@@ -35,9 +35,17 @@ void SayPassedOver(const std::string& folder, const std::vector<fs::path>& files
              first.filename().string(), files.size() == 1 ? "" : " and others", AdviceOn(first));
 }
 
+void SayFoldersPassedOver(const std::string& folder, const std::vector<fs::path>& folders) {
+  if (folders.empty()) return;
+  fmt::print(stderr, "limpet detect: {}: {} in it passed over, give each by its name: {}{}\n",
+             folder, folders.size() == 1 ? "one folder" : fmt::format("{} folders", folders.size()),
+             folders.front().filename().string(), folders.size() == 1 ? "" : " and others");
+}
+
 std::vector<DetectInput> InputsIn(const std::string& folder) {
-  std::vector<fs::path> inside, others;
+  std::vector<fs::path> inside, others, folders;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory()) folders.push_back(entry.path());
     if (!entry.is_regular_file()) continue;
     const fs::path& file = entry.path();
     const bool is_taken = IsImageName(file) || (IsVideoName(file) && CanReadVideos());
@@ -45,7 +53,9 @@ std::vector<DetectInput> InputsIn(const std::string& folder) {
   }
   std::ranges::sort(inside);
   std::ranges::sort(others);
+  std::ranges::sort(folders);
   SayPassedOver(folder, others);
+  SayFoldersPassedOver(folder, folders);
   std::vector<DetectInput> inputs;
   for (const fs::path& file : inside)
     inputs.push_back({.file = file, .is_video = IsVideoName(file)});

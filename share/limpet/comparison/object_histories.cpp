@@ -18,6 +18,15 @@ using OrderedJson = nlohmann::ordered_json;
 
 bool IsThere(const OpiBelief& object) { return object.landmark.has_value(); }
 
+bool IsOpen(const OpiBelief& object) {
+  return object.decided == Status::kUncertain || object.decided == Status::kNotInspected;
+}
+
+/// How sure it is whether an object that is there was there before.
+double Surest(const OpiBelief& object) {
+  return std::max(object.posterior.confirmed, object.posterior.appeared);
+}
+
 /// Follows objects from session to session.
 class HistoryKeeper {
  public:
@@ -80,13 +89,32 @@ class HistoryKeeper {
                                  .p_W = object.object.p_W,
                                  .placed_in = now,
                                  .since = now,
-                                 .entries = {EntryOf(object, now)}});
+                                 .entries = {EntryOfNewcomer(object, now)}});
     }
   }
 
-  [[nodiscard]] HistoryEntry EntryOf(const OpiBelief& object, std::size_t now) const {
-    return {
-        .decided = object.decided, .posterior = object.posterior, .id = IdOf(now, object.landmark)};
+  /// As the last session judges it that knows what was there before: one that looked elsewhere
+  /// leaves it open. If all do, as the one that says most. One that had another object there says
+  /// nothing of this one.
+  [[nodiscard]] HistoryEntry EntryOfNewcomer(const OpiBelief& object, std::size_t now) {
+    const OpiBelief* best = &object;
+    std::size_t by = now - 1;
+    for (std::size_t former = now - 1; IsOpen(*best) && former-- > 0;) {
+      const std::vector<OpiBelief>& said = Between(former, now).objects;
+      const auto found = std::ranges::find(said, object.landmark, &OpiBelief::landmark);
+      if (found == said.end() || found->prior_id) continue;
+      if (!IsOpen(*found) || Surest(*found) > Surest(*best)) best = &*found, by = former;
+    }
+    return EntryOf(*best, by, now);
+  }
+
+  /// What session `now` says of an object, judged by session `former`.
+  [[nodiscard]] HistoryEntry EntryOf(const OpiBelief& object, std::size_t former,
+                                     std::size_t now) const {
+    return {.decided = object.decided,
+            .posterior = object.posterior,
+            .id = IdOf(now, object.landmark),
+            .judged_by = former};
   }
 
   /// Adds what session `now` says of an object, by comparing it with the last session that had it.
@@ -98,10 +126,10 @@ class HistoryKeeper {
     });
     if (found == said.end()) {
       // It was hardly one when it was last seen, or what stands there is another object's.
-      object.entries.push_back({.decided = Status::kUncertain});
+      object.entries.push_back({.decided = Status::kUncertain, .judged_by = object.placed_in});
       return;
     }
-    HistoryEntry entry = EntryOf(*found, now);
+    HistoryEntry entry = EntryOf(*found, object.placed_in, now);
     const bool was_gone = std::ranges::any_of(
         object.entries.begin() + static_cast<std::ptrdiff_t>(object.placed_in - object.since),
         object.entries.end(),
@@ -125,6 +153,7 @@ OrderedJson JsonOf(const HistoryEntry& entry, std::size_t session) {
           {"decided", NameOf(entry.decided)},
           {"back", entry.is_back},
           {"id", entry.id ? OrderedJson(*entry.id) : OrderedJson(nullptr)},
+          {"judged_by", entry.judged_by ? OrderedJson(*entry.judged_by + 1) : OrderedJson(nullptr)},
           {"posterior", entry.posterior ? JsonOf(*entry.posterior) : OrderedJson(nullptr)}};
 }
 
@@ -169,6 +198,7 @@ std::string Json(const SessionSeries& series) {
     steps.push_back(JsonOf(step));
   for (const ObjectHistory& object : series.objects)
     objects.push_back(JsonOf(object));
+  out["changes_of"] = {series.sessions.size() - 1, series.sessions.size()};
   out["sessions"] = std::move(sessions);
   out["steps"] = std::move(steps);
   out["objects"] = std::move(objects);

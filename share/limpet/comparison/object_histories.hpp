@@ -15,6 +15,8 @@ struct HistoryEntry {
   bool is_back = false;                                     ///< was there, was gone, is there again
   std::optional<StatusPosterior> posterior = std::nullopt;  ///< nothing in the first session
   std::optional<int> id = std::nullopt;                     ///< in that session; nothing: not there
+  /// Index of the former session whose looks and objects it is judged by; nothing: the first.
+  std::optional<std::size_t> judged_by = std::nullopt;
 };
 
 /// An object over all sessions.
@@ -35,7 +37,9 @@ struct SessionSeries {
 };
 
 /// Each session is compared with the one before; of an object that is gone, with the last session
-/// that had it, so that what comes back is known again. Each comparison as CompareSessions makes
+/// that had it, so that what comes back is known again; one that is seen first, with the last that
+/// says of its place what was there before, so that one that looked elsewhere hides nothing. Each
+/// comparison as CompareSessions makes
 /// it. REQUIRES: two sessions or more. Throws ConfigError.
 [[nodiscard]] SessionSeries CompareSeries(const std::vector<SavedSession>& sessions,
                                           const std::optional<std::string>& mission = {});
@@ -43,7 +47,8 @@ struct SessionSeries {
 /// In words: "seen in 1, removed in 2, back in 3".
 [[nodiscard]] std::string StoryOf(const ObjectHistory& object);
 
-/// The last step as Json(SessionComparison) has it, then all steps and histories.
+/// The last step as Json(SessionComparison) has it, by these two sessions alone, then all steps and
+/// histories, which say for each entry by which session it is judged.
 [[nodiscard]] std::string Json(const SessionSeries& series);
 
 }  // namespace limpet

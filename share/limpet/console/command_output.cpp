@@ -23,9 +23,17 @@ CommandOutput::CommandOutput(const std::optional<std::string>& name, bool may_ov
     is_terminal_ = isatty(STDOUT_FILENO) != 0;
     return;
   }
+  if (*name == "-") {
+    throw Refusal(
+        "-: is no name for a file; a command that writes to the standard output does so "
+        "without --out");
+  }
   path_ = *name;
   aside_ = *name + ".part";
   std::error_code ignored;
+  if (fs::is_directory(path_, ignored)) {
+    throw Refusal(fmt::format("{}: is a folder, not a file", path_.string()));
+  }
   if (fs::equivalent(path_, input, ignored)) {
     throw Refusal(fmt::format("{}: is the file that is read", path_.string()));
   }

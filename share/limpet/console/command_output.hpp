@@ -21,7 +21,8 @@ class Refusal : public std::runtime_error {
 /// is whole and on the disk.
 class CommandOutput {
  public:
-  /// Throws Refusal if `name` exists and `may_overwrite` is not set, or if it is the input.
+  /// Throws Refusal if `name` exists and `may_overwrite` is not set, or if it is the input, a
+  /// folder or `-`.
   CommandOutput(const std::optional<std::string>& name, bool may_overwrite,
                 const std::filesystem::path& input);
   CommandOutput(const CommandOutput&) = delete;

@@ -16,6 +16,11 @@ namespace limpet {
   return fmt::format("{:.3f}", probability);
 }
 
+/// `-` for what nobody can say.
+[[nodiscard]] inline std::string ProbabilityText(const std::optional<double>& probability) {
+  return probability ? ProbabilityText(*probability) : "-";
+}
+
 /// `0.31 m`; `unknown` for what nobody measured.
 [[nodiscard]] inline std::string MetresText(const std::optional<double>& metres) {
   return metres ? fmt::format("{:.2f} m", *metres) : "unknown";

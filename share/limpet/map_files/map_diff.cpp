@@ -53,6 +53,13 @@ std::vector<double> Known(const std::vector<double>& values) {
   return known;
 }
 
+std::size_t CountKnown(const DepthGrid& grid) {
+  std::size_t known = 0;
+  for (std::size_t cell = 0; cell < grid.down_m.size(); ++cell)
+    known += grid.IsKnown(cell) ? 1U : 0U;
+  return known;
+}
+
 double Median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -111,6 +118,8 @@ DepthDifference Difference(const DepthGrid& a, const DepthGrid& b, const FrameOf
   const std::vector<double> off = Known(compared.off_m);
   DepthDifference difference;
   difference.cells = off.size();
+  difference.cells_a = CountKnown(a);
+  difference.cells_b = CountKnown(b);
   if (off.empty()) return difference;
   difference.offset_m = Median(off);
   // Of a median; neighbouring columns share beams, so no better than one column's over ten.

@@ -19,8 +19,9 @@ struct DepthChange {
 
 /// Depth of session B less that of session A, where both know it.
 struct DepthDifference {
-  std::size_t cells = 0;              ///< compared
-  std::size_t significant_cells = 0;  ///< of them off by more than kSignificant sigmas
+  std::size_t cells = 0;                 ///< compared
+  std::size_t cells_a = 0, cells_b = 0;  ///< of each that are known
+  std::size_t significant_cells = 0;     ///< of them off by more than kSignificant sigmas
   double offset_m = 0.0;     ///< what all differ by: tide, sensor's zero; taken off before the rest
   double offset_sd_m = 0.0;  ///< its standard deviation
   double rms_m = 0.0;        ///< of what is left

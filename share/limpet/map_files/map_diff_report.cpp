@@ -44,16 +44,34 @@ OrderedJson JsonOf(const DepthDifference& depth) {
                        {"mean_m", change.mean_m},
                        {"z", change.z}});
   }
-  return {{"cells", depth.cells},         {"significant_cells", depth.significant_cells},
-          {"offset_m", depth.offset_m},   {"offset_sd_m", depth.offset_sd_m},
-          {"rms_m", depth.rms_m},         {"sigma_scale", depth.sigma_scale},
+  const auto if_compared = [&depth](double value) {
+    return depth.cells > 0 ? OrderedJson(value) : OrderedJson(nullptr);
+  };
+  return {{"cells", depth.cells},
+          {"cells_a", depth.cells_a},
+          {"cells_b", depth.cells_b},
+          {"significant_cells", depth.significant_cells},
+          {"offset_m", if_compared(depth.offset_m)},
+          {"offset_sd_m", if_compared(depth.offset_sd_m)},
+          {"rms_m", if_compared(depth.rms_m)},
+          {"sigma_scale", if_compared(depth.sigma_scale)},
           {"changes", std::move(changes)}};
+}
+
+/// How much of the smaller map could be compared, where that is little.
+std::string ComparedText(const DepthDifference& depth) {
+  const std::size_t smaller = std::min(depth.cells_a, depth.cells_b);
+  if (2 * depth.cells >= smaller) return "";
+  return fmt::format("; only {:.0f} % of the smaller map could be compared",
+                     100.0 * static_cast<double>(depth.cells) / static_cast<double>(smaller));
 }
 
 std::string ChangesText(const DepthDifference& depth) {
   constexpr std::size_t kMost = 10;
-  if (depth.changes.empty())
-    return "  no part of the seabed is significantly deeper or shallower\n";
+  if (depth.changes.empty()) {
+    return fmt::format("  no part of the seabed is significantly deeper or shallower{}\n",
+                       ComparedText(depth));
+  }
   std::string text = fmt::format("  {:>8} {:>8} {:>9} {:>9} {:>6}\n", "north", "east", "area m2",
                                  "deeper m", "sigmas");
   for (std::size_t i = 0; i < std::min(kMost, depth.changes.size()); ++i) {
@@ -65,6 +83,21 @@ std::string ChangesText(const DepthDifference& depth) {
     text += fmt::format("  and {} smaller; --json has all\n", depth.changes.size() - kMost);
   }
   return text;
+}
+
+std::string DepthText(const DepthDifference& depth) {
+  if (depth.cells == 0) {
+    return fmt::format(
+        "no column of the seabed is in both ({} in A, {} in B): no depth could be compared\n",
+        depth.cells_a, depth.cells_b);
+  }
+  return fmt::format(
+             "{} columns of the seabed in both; all differ by {:.2f} m (sd {:.2f} m), left {:.2f} "
+             "m "
+             "rms; {} by more than {:g} sigmas\n",
+             depth.cells, depth.offset_m, depth.offset_sd_m, depth.rms_m, depth.significant_cells,
+             DepthDifference::kSignificant) +
+         ChangesText(depth);
 }
 
 }  // namespace
@@ -80,13 +113,7 @@ Expected<std::string> MapDiffJson(const SavedSession& a, const SavedSession& b) 
 Expected<std::string> MapDiffText(const SavedSession& a, const SavedSession& b) {
   const Expected<MapDiff> diff = DiffOf(a, b);
   if (!diff) return diff.error();
-  const DepthDifference& depth = diff->depth;
-  std::string text = fmt::format(
-      "{} columns of the seabed in both; all differ by {:.2f} m (sd {:.2f} m), left {:.2f} m rms; "
-      "{} by more than {:g} sigmas\n",
-      depth.cells, depth.offset_m, depth.offset_sd_m, depth.rms_m, depth.significant_cells,
-      DepthDifference::kSignificant);
-  text += depth.cells > 0 ? ChangesText(depth) : "";
+  std::string text = DepthText(diff->depth);
   text += fmt::format("{} objects in either\n", diff->objects.objects.size());
   for (const OpiBelief& object : diff->objects.objects) {
     const Eigen::Vector3d& p_W = object.object.p_W;

@@ -109,7 +109,8 @@ OrderedJson Changes(const std::vector<ChangeScore>& changes) {
         {{"truth", change.truth ? OrderedJson(*change.truth) : OrderedJson(nullptr)},
          {"expected", change.expected ? OrderedJson(*change.expected) : OrderedJson(nullptr)},
          {"decided", change.decided},
-         {"probability", Share(change.probability)},
+         {"probability",
+          change.probability ? OrderedJson(Share(*change.probability)) : OrderedJson(nullptr)},
          {"ned_m", change.p_W ? PointJson(*change.p_W) : OrderedJson(nullptr)},
          {"posterior",
           change.posterior ? PosteriorJson(*change.posterior) : OrderedJson(nullptr)}});

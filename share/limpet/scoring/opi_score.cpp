@@ -8,8 +8,9 @@ namespace limpet {
 namespace {
 
 constexpr double kMatchRadius = 2.5;
-/// An object farther than this from its former place was moved.
-constexpr double kMovedDistance = 0.5;
+/// An object this far or farther from its former place was moved; places are written with decimals,
+/// whose difference rounding may make less [m].
+constexpr double kMovedDistance = 0.5 - 1e-6;
 
 /// An object whose status is open is reported from this probability on that it is there.
 constexpr double kSurelyThere = 0.9;
@@ -122,7 +123,7 @@ struct SessionPair {
 std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi, const SessionPair& sessions) {
   const auto before = opi.Place(sessions.former);
   const auto now = opi.Place(sessions.now);
-  if (before && now) return (*before - *now).norm() > kMovedDistance ? "moved" : "confirmed";
+  if (before && now) return (*before - *now).norm() >= kMovedDistance ? "moved" : "confirmed";
   if (before) return "removed";
   if (now) return "new";
   return std::nullopt;
@@ -159,7 +160,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
     ChangeScore score{places[i].opi->name,
                       ExpectedStatus(*places[i].opi, sessions),
                       std::string(NameOf(unknown)),
-                      0.0,
+                      std::nullopt,
                       {}};
     if (matched[i] != nullptr) {
       const OpiBelief& opi = *matched[i];

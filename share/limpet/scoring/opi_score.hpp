@@ -28,7 +28,7 @@ struct ChangeScore {
   std::optional<std::string> truth;     ///< nothing: a decision about nothing
   std::optional<std::string> expected;  ///< confirmed, removed, new, moved
   std::string decided;                  ///< one of these, uncertain or not_inspected
-  double probability = 0.0;             ///< of what was decided
+  std::optional<double> probability;    ///< of what was decided; nothing: no look says any
   std::optional<Eigen::Vector3d> p_W;   ///< where the vehicle says; nothing: it knows of no object
   std::optional<StatusPosterior> posterior = std::nullopt;  ///< of that object
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }

@@ -9,6 +9,16 @@
 #include "limpet/vision/cut_image.hpp"
 
 namespace limpet {
+namespace {
+
+/// Of a header that asks for more pixels than OpenCV takes, or than there is memory for.
+std::string WordsOn(const cv::Exception& exception) {
+  return exception.code == cv::Error::StsNoMem
+             ? "too large an image for this machine's memory"
+             : "more pixels than an image may have (2^20 a side, 2^30 in all), or damaged";
+}
+
+}  // namespace
 
 Expected<Image> ReadImage(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
@@ -21,7 +31,7 @@ Expected<Image> ReadImage(const std::filesystem::path& file) {
   try {
     pixels = cv::imread(file.string(), cv::IMREAD_COLOR);
   } catch (const cv::Exception& exception) {
-    return Error{file.string() + ": " + exception.what()};
+    return Error{file.string() + ": " + WordsOn(exception)};
   }
   if (pixels.empty()) {
     return Error{file.string() + ": not an image that can be read"};

@@ -13,7 +13,44 @@
 namespace limpet {
 namespace {
 
-class MapWarningsTest : public MapAppTest {};
+class MapWarningsTest : public MapAppTest {
+ protected:
+  /// A pass over objects 1.7 m below the camera, seen from 1.85 m at most.
+  std::vector<trial::Sphere> SeeFromNearAlone() {
+    std::vector<trial::Sphere> high;
+    for (int i = 0; i < 6; ++i)
+      high.push_back({.ned = {3.0 * i, 0.0, 5.2}, .color = "yellow", .landmark = 10 + i});
+    std::vector<ObservedFrame> frames =
+        trial::Fly({.north = -3, .length = 22}, link_.time, high, {.detects = 1.0}, random_);
+    for (ObservedFrame& frame : frames) {
+      std::erase_if(frame.boxes, [&](const Box& box) {
+        return (high[static_cast<std::size_t>(*box.landmark - 10)].ned - frame.X_WB.p_WB).norm() >
+               1.85;
+      });
+      link_.time = frame.exposure;
+      link_.Send(app_, topics::kNavCameraFrame, frame);
+      app_.Tick(link_.time);
+    }
+    return high;
+  }
+  void Tell(const std::vector<trial::Sphere>& spheres) {
+    link_.time += Seconds(20.0);
+    Confirm(spheres);
+    link_.time += Seconds(6.0);
+    app_.Tick(link_.time);
+  }
+  /// Over bare ground.
+  bool WarnsOfMurkFrom(double altitude) {
+    link_.time += Seconds(6.0);
+    ObservedFrame frame;
+    frame.exposure = link_.time;
+    frame.altitude = altitude;
+    frame.X_WB.p_WB = {100.0, 0.0, 3.0};
+    link_.Send(app_, topics::kNavCameraFrame, frame);
+    app_.Tick(link_.time);
+    return app_.warnings().contains("WATER_MURKY");
+  }
+};
 
 /// What the report says of frames that were left out.
 std::string LeftOutIn(const MapApp& app) {
@@ -66,28 +103,10 @@ TEST_F(MapWarningsTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
 }
 
 TEST_F(MapWarningsTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
-  std::vector<trial::Sphere> high;
-  for (int i = 0; i < 6; ++i) {
-    high.push_back({.ned = {3.0 * i, 0.0, 5.2}, .color = "yellow", .landmark = 10 + i});
-  }
-  // They are 1.7 m below the camera, and seen from 1.85 m at most.
-  std::vector<ObservedFrame> frames =
-      trial::Fly({.north = -3, .length = 22}, link_.time, high, {.detects = 1.0}, random_);
-  for (ObservedFrame& frame : frames) {
-    std::erase_if(frame.boxes, [&](const Box& box) {
-      return (high[static_cast<std::size_t>(*box.landmark - 10)].ned - frame.X_WB.p_WB).norm() >
-             1.85;
-    });
-    link_.time = frame.exposure;
-    link_.Send(app_, topics::kNavCameraFrame, frame);
-    app_.Tick(link_.time);
-  }
+  const std::vector<trial::Sphere> high = SeeFromNearAlone();
   EXPECT_NEAR(link_.Last(topics::kWaterState)->visibility, 8.0, 2.5);
   EXPECT_FALSE(app_.warnings().contains("WATER_MURKY")) << "nothing is known of the water";
-  link_.time += Seconds(20.0);
-  Confirm(high);
-  link_.time += Seconds(6.0);
-  app_.Tick(link_.time);
+  Tell(high);
   EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 3.0);
   EXPECT_LT(link_.Last(topics::kWaterState)->sd, 1.2);
   EXPECT_TRUE(app_.warnings().contains("WATER_MURKY"));
@@ -98,6 +117,19 @@ TEST_F(MapWarningsTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
   link_.time += Seconds(6.0);
   app_.Tick(link_.time);
   EXPECT_FALSE(app_.warnings().contains("WATER_MURKY"));
+}
+
+/// An estimate on the threshold is one warning, not one every few seconds.
+TEST_F(MapWarningsTest, MurkIsOverOnlyWhereTheSeabedIsClearlyInSight) {
+  Tell(SeeFromNearAlone());
+  double down = 4.0, up = 0.0;
+  while (down > 0.3 && WarnsOfMurkFrom(down))
+    down *= 0.97;
+  for (up = down; up < 8.0 && !WarnsOfMurkFrom(up);)
+    up *= 1.03;
+  EXPECT_GT(down, 0.3);
+  EXPECT_GT(up, 1.15 * down);
+  EXPECT_LT(up, 1.3 * down);
 }
 
 TEST_F(MapWarningsTest, SaysThatItDoesNotFollowUpEveryHint) {

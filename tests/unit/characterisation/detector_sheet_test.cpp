@@ -17,13 +17,27 @@ using ::testing::IsEmpty;
 
 const std::string& Sheet() {
   static const std::string text = DetectorSheetText(
-      {.detector = "network", .made_with = "limpet detect --characterise"}, DrawTrial({}, 3000, 1));
+      {.detector = "network", .made_with = "limpet detect --characterise", .file = "own.yaml"},
+      DrawTrial({}, 3000, 1));
   return text;
 }
 
 TEST(DetectorSheet, SaysWhatItWasMadeWith) {
   EXPECT_THAT(Sheet(), HasSubstr("# Made by: limpet detect --characterise\n"));
   EXPECT_THAT(Sheet(), HasSubstr("name: network"));
+  EXPECT_THAT(Sheet(), HasSubstr("DetectorFile = own.yaml\n"));
+}
+
+TEST(DetectorSheet, NeedsEnoughBallsInEnoughCells) {
+  EXPECT_FALSE(TooFewBalls(DrawTrial({}, 3000, 1)));
+  const auto few = TooFewBalls(DrawTrial({}, 30, 1));
+  ASSERT_TRUE(few);
+  EXPECT_THAT(*few, HasSubstr("use more --worlds"));
+  TrialResult one_cell = DrawTrial({}, 3000, 1);
+  for (TrialLook& look : one_cell.looks)
+    look.range = 1.0, look.size_px = 40.0;
+  ASSERT_TRUE(TooFewBalls(one_cell));
+  EXPECT_THAT(*TooFewBalls(one_cell), HasSubstr("1 of 30 cells"));
 }
 
 TEST(DetectorSheet, IsTakenByAMissionThatNamesIt) {
@@ -56,7 +70,8 @@ TEST(DetectorSheet, CountsWhatWasFoundByRangeAndSize) {
     if (i < 7) look.found = Box{.u = 20.0, .v = 20.0, .w = 40.0, .h = 40.0, .color = "red"};
     trial.looks.push_back(look);
   }
-  const std::string text = DetectorSheetText({.detector = "d", .made_with = ""}, trial);
+  const std::string text =
+      DetectorSheetText({.detector = "d", .made_with = "", .file = "d.yaml"}, trial);
   EXPECT_THAT(text, HasSubstr("0.70 of 10"));
   EXPECT_THAT(text, HasSubstr("red 0.70 of 10;"));
   EXPECT_THAT(text, HasSubstr("cylinder -;")) << "none was there";

@@ -67,6 +67,24 @@ TEST_F(ChangeSeriesTest, ASessionThatLookedElsewhereBreaksNoHistory) {
             "seen in 1, not_inspected in 2, confirmed in 3");
 }
 
+/// A session that looked elsewhere does not hide that an earlier one saw the ground bare.
+TEST_F(ChangeSeriesTest, WhatComesIsJudgedByTheLastSessionThatLookedThere) {
+  FlySession("discovery", {kStays}, {-1.0, 1.0});
+  FlySession("second", {}, {14.0});
+  FlySession("third", {kStays, kComes}, {-1.0, 1.0});
+  const nlohmann::json series = Change({"--session-c", FolderOf("third")}, "second");
+  const nlohmann::json comes = HistoryOf(series, "green").at("entries").at(0);
+  EXPECT_EQ(comes.at("decided"), "new");
+  EXPECT_GT(comes.at("posterior").at("new"), 0.9);
+  EXPECT_EQ(comes.at("judged_by"), 1) << "the second was not there";
+  EXPECT_EQ(series.at("changes_of"), nlohmann::json({2, 3})) << "and says nothing of it";
+  for (const nlohmann::json& change : series.at("changes"))
+    EXPECT_NE(change.at("decided"), "new");
+  const nlohmann::json stays = HistoryOf(series, "yellow").at("entries");
+  EXPECT_TRUE(stays.at(0).at("judged_by").is_null());
+  EXPECT_EQ(stays.at(2).at("judged_by"), 1);
+}
+
 TEST_F(ChangeSeriesTest, ATableAndAMapAreWrittenOnRequest) {
   FlySession("discovery", {kStays, kGoes}, {-1.0, 1.0});
   FlySession("second", {kStays}, {-1.0, 1.0});
@@ -88,6 +106,11 @@ TEST_F(ChangeSeriesTest, ATableAndAMapAreWrittenOnRequest) {
   std::filesystem::remove(file);
   EXPECT_THROW(run("geojson"), Refusal) << "the mission said no datum";
   EXPECT_THROW(run("shp"), UsageError);
+  EXPECT_THROW(
+      RunChange(std::vector<std::string>{"--session-a", FolderOf("discovery"), "--session-b",
+                                         FolderOf("second"), "--format", "geojson", "--json"}),
+      UsageError)
+      << "it is one of them";
 }
 
 TEST_F(ChangeSeriesTest, ATableOfThreeSessionsSaysThatItHasTheLastStepAlone) {

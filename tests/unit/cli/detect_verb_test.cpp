@@ -118,14 +118,31 @@ TEST_F(DetectVerb, DrawsWhatItFound) {
 }
 
 TEST_F(DetectVerb, CharacterisesADetectorInAFileThatAMissionMayName) {
-  ASSERT_EQ(Run({"--characterise", "--worlds", "2", "--seed", "7", "--out", Path("own.yaml")}),
-            kOk);
+  const std::vector<std::string> words{"--characterise", "--worlds",      "6", "--seed", "7",
+                                       "--out",          Path("own.yaml")};
+  ASSERT_EQ(Said(words), kOk) << err_;
   std::ostringstream sheet;
   sheet << std::ifstream(Path("own.yaml")).rdbuf();
   EXPECT_THAT(sheet.str(),
               HasSubstr("# Made by: limpet detect --characterise --detector "
-                        "color_shape --colors yellow,orange,green --worlds 2 --seed 7\n"));
+                        "color_shape --colors yellow,orange,green --worlds 6 --seed 7\n"));
+  EXPECT_THAT(sheet.str(), HasSubstr("DetectorFile = own.yaml\n")) << "as it is called";
   EXPECT_THAT(sheet.str(), HasSubstr("half_range_share: "));
+  EXPECT_EQ(Said(words), kRefused) << "what is there stays";
+  EXPECT_THAT(err_, HasSubstr("own.yaml: exists; --force writes over it"));
+}
+
+TEST_F(DetectVerb, WritesNoFileOfADetectorThatTooFewBallsWereMeasuredOn) {
+  EXPECT_EQ(Said({"--characterise", "--worlds", "2", "--seed", "7", "--out", Path("own.yaml")}),
+            kRefused);
+  EXPECT_THAT(err_, HasSubstr("use more --worlds"));
+  EXPECT_THAT(err_, HasSubstr("# found, by range over visibility")) << "what there is, by cell";
+  EXPECT_FALSE(std::filesystem::exists(Path("own.yaml")));
+}
+
+TEST_F(DetectVerb, CharacterisesIntoAYamlAlone) {
+  EXPECT_EQ(Said({"--characterise", "--worlds", "9000", "--out", Path("own.csv")}), kUsage);
+  EXPECT_THAT(err_, HasSubstr("a detector's file is a .yaml"));
 }
 
 TEST_F(DetectVerb, CharacterisesNoGivenImages) {
@@ -185,8 +202,10 @@ TEST_F(DetectVerb, SaysWhatOfAFolderItPassesOver) {
   std::filesystem::rename(Path("ball.ppm"), Path("ball.pgm"));
   std::ofstream(Path("a.gif")) << "GIF89a";
   std::ofstream(Path("notes.txt")) << "a note";
+  std::filesystem::create_directory(Path("dive2"));
   EXPECT_EQ(Said({folder_.path().string(), "--out", Path("out.csv")}), kOk);
   EXPECT_THAT(err_, HasSubstr("2 files passed over, no image that it reads: a.gif and others"));
+  EXPECT_THAT(err_, HasSubstr("one folder in it passed over, give each by its name: dive2\n"));
   EXPECT_THAT(Csv(), HasSubstr("ball.pgm,yellow"));
 }
 
@@ -198,7 +217,8 @@ TEST_F(DetectVerb, TakesNoHalfWorldsAndNoOptionThatDoesNothing) {
                                              {"--characterise", "--draw", Path("drawn")},
                                              {Path("ball.ppm"), "--worlds", "3"},
                                              {Path("ball.ppm"), "--colors", "yellow"},
-                                             {Path("ball.ppm"), "--seed", "3"}}) {
+                                             {Path("ball.ppm"), "--seed", "3"},
+                                             {Path("ball.ppm"), "--force"}}) {
     std::vector<std::string> words = wrong;
     words.insert(words.end(), {"--out", Path("out.csv")});
     EXPECT_EQ(Said(words), kUsage) << words[1];

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/command_line.hpp"
@@ -14,6 +15,7 @@
 #include "limpet/packing/gzip_bytes.hpp"
 #include "limpet/session/session_memory.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/unit/cli/change_sessions.hpp"
 
 namespace limpet {
 namespace {
@@ -82,6 +84,15 @@ TEST_F(MapVerbTest, WritesOverNothingUnlessForced) {
   ASSERT_EQ(Run({"export", session_, "--3dscene", scene_}), kOk);
   EXPECT_EQ(Run({"export", session_, "--3dscene", scene_}), kRefused);
   EXPECT_EQ(Run({"export", session_, "--3dscene", scene_, "--force"}), kOk);
+}
+
+TEST_F(MapVerbTest, WritesIntoAFileThatHasANameOfItsOwn) {
+  Save(OneVoxel());
+  EXPECT_EQ(Run({"export", session_, "--format", "csv", "--out", "-"}), kRefused);
+  EXPECT_THAT(err_, HasSubstr("-: is no name for a file"));
+  EXPECT_FALSE(std::filesystem::exists("-"));
+  EXPECT_EQ(Run({"export", session_, "--format", "csv", "--out", session_, "--force"}), kRefused);
+  EXPECT_THAT(err_, HasSubstr("is a folder, not a file"));
 }
 
 TEST_F(MapVerbTest, ComplainsOfWhatIsNoSessionAndNoCommand) {
@@ -163,6 +174,28 @@ TEST_F(MapVerbTest, DiffNeedsTwoSessions) {
   EXPECT_EQ(Run({"diff", session_}), kUsage);
   EXPECT_NE(Run({"diff", session_, (folder_.path() / "none").string()}), kOk);
   EXPECT_THAT(err_, HasSubstr("session B"));
+}
+
+class MapDiffOfSessions : public ChangeVerbTest {
+ protected:
+  std::string Diff(const std::vector<std::string>& options) {
+    std::vector<std::string> words{"map", "diff", (folder_.path() / "discovery").string(),
+                                   (folder_.path() / "second").string()};
+    words.insert(words.end(), options.begin(), options.end());
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(RunCommandLine(words), kOk);
+    return ::testing::internal::GetCapturedStdout();
+  }
+};
+
+TEST_F(MapDiffOfSessions, SaysThatNothingCouldBeComparedWhereNoColumnIsInBoth) {
+  FlySession("discovery", {kStays}, {1.0});
+  FlySession("second", {kStays}, {1.0});
+  EXPECT_THAT(Diff({}), HasSubstr("no column of the seabed is in both (0 in A, 0 in B)"));
+  const nlohmann::json depth = nlohmann::json::parse(Diff({"--json"})).at("depth");
+  EXPECT_EQ(depth.at("cells"), 0);
+  for (const char* key : {"offset_m", "offset_sd_m", "rms_m", "sigma_scale"})
+    EXPECT_TRUE(depth.at(key).is_null()) << key;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "limpet/map_files/map_diff.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,16 @@ TEST(MapDiff, ASessionDoesNotDifferFromItself) {
   EXPECT_EQ(difference.offset_m, 0.0);
   EXPECT_EQ(difference.rms_m, 0.0);
   EXPECT_TRUE(difference.changes.empty());
+}
+
+TEST(MapDiff, SaysHowManyColumnsEitherKnows) {
+  DepthGrid part = GridOf(Flat);
+  for (std::size_t cell = 1000; cell < part.down_m.size(); ++cell)
+    part.down_m[cell] = std::numeric_limits<float>::quiet_NaN();
+  const DepthDifference difference = Difference(part, GridOf(Flat), {});
+  EXPECT_EQ(difference.cells_a, 1000U);
+  EXPECT_EQ(difference.cells_b, 3600U);
+  EXPECT_EQ(difference.cells, 1000U);
 }
 
 TEST(MapDiff, TheTideIsNoChange) {

@@ -142,15 +142,22 @@ TEST(ObjectLayer, LabelsVoxelsWithTheirObjectsStatus) {
   EXPECT_GT(top->exists, 3.0F);
 }
 
-TEST(ObjectLayer, DrawsAFormerObjectThatIsGone) {
+/// Neither what is gone nor what this session has not seen stands in its map.
+TEST(ObjectLayer, PaintsNoFormerObjectThatNoLookShowed) {
+  const Eigen::Vector3d top_W = kPlace - Eigen::Vector3d(0, 0, 0.45);
+  for (const Status status : {Status::kRemoved, Status::kNotInspected, Status::kUncertain}) {
+    Flight flight(kPlace);
+    flight.Paint(StatusAt(kPlace, status, std::nullopt));
+    EXPECT_FALSE(flight.At(top_W)) << NameOf(status);
+    EXPECT_FALSE(flight.layer.Cluster(1)) << NameOf(status);
+  }
+}
+
+TEST(ObjectLayer, WhatTurnsOutToBeGoneLeavesTheMap) {
   Flight flight(kPlace);
-  OpiBelief gone = StatusAt(kPlace, Status::kRemoved, std::nullopt);
-  gone.posterior = {.confirmed = 0.02, .removed = 0.98};
-  flight.Paint(gone);
-  const auto top = flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45));
-  ASSERT_TRUE(top);
-  EXPECT_EQ(top->label, VoxelLabel::kRemoved);
-  EXPECT_LT(top->exists, -3.0F);
+  flight.Paint(StatusAt(kPlace, Status::kConfirmed));
+  flight.Paint(StatusAt(kPlace, Status::kRemoved, std::nullopt));
+  EXPECT_FALSE(flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45)));
 }
 
 TEST(ObjectLayer, ForgetsAnObjectThatIsNoMore) {
@@ -273,6 +280,27 @@ TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_LT(flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);
+}
+
+/// In murk a frame without a box says nothing of an object: the map must not deny what the verdicts
+/// confirm.
+TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatTheWaterHid) {
+  const Eigen::Vector3d top_W = kPlace - Eigen::Vector3d(0, 0, 0.45);
+  Flight flight(kPlace);
+  flight.Paint(StatusAt(kPlace, Status::kConfirmed));
+  const float seen = flight.At(top_W)->object;
+  for (int i = 0; i < 8; ++i) {
+    const Pose over{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
+    flight.book.AddFrame({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = over});
+    flight.layer.AddFrame(flight.book.frames().back(), flight.book);
+  }
+  flight.Paint(StatusAt(kPlace, Status::kConfirmed));
+  ASSERT_LT(flight.At(top_W)->object, seen) << "the water was taken for clear";
+  DetectionModel murk = flight.status.detection;
+  murk.visibility = Meters(1.2);
+  flight.layer.SetDetection(murk);
+  flight.Paint(StatusAt(kPlace, Status::kConfirmed));
+  EXPECT_FLOAT_EQ(flight.At(top_W)->object, seen);
 }
 
 }  // namespace

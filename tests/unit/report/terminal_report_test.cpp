@@ -43,6 +43,15 @@ TEST(TerminalReport, SaysWhatAnOpenObjectMayBe) {
   EXPECT_THAT(TerminalReport(run, false), HasSubstr(" open\n"));
 }
 
+TEST(TerminalReport, SaysNoProbabilityOfWhatNoLookSaysAnythingAbout) {
+  RunScore run = BriefRun(false);
+  ChangeScore& change = run.sessions[0].opis.changes.at(0);
+  change.decided = NameOf(Status::kNotInspected);
+  change.posterior.reset(), change.probability.reset();
+  const std::string text = TerminalReport(run, false);
+  EXPECT_THAT(text, HasSubstr("not_inspected      -"));
+}
+
 TEST(TerminalReport, FitsA100ColumnTerminalInItsTables) {
   const std::string text = TerminalReport(BriefRun(false), false);
   std::size_t begin = 0;

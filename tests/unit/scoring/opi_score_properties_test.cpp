@@ -120,9 +120,9 @@ TEST_P(ScoredField, WhatIsExpectedFollowsFromWhereAnObjectWasAndIs) {
     ++judged;
     const auto truth = std::ranges::find(scenario_.opis, *change.truth, &ScenarioOpi::name);
     const auto before = truth->Place("discovery"), now = truth->Place("change");
-    const std::string expected = before && now
-                                     ? ((*before - *now).norm() > 0.5 ? "moved" : "confirmed")
-                                     : (before ? "removed" : "new");
+    const std::string expected =
+        before && now ? ((*before - *now).norm() >= 0.5 - 1e-6 ? "moved" : "confirmed")
+                      : (before ? "removed" : "new");
     EXPECT_EQ(change.expected, expected) << *change.truth;
     EXPECT_EQ(change.is_right(), change.decided == expected);
     EXPECT_TRUE(change.p_W || change.is_open()) << "a status is of something";
@@ -144,7 +144,7 @@ TEST_P(ScoredField, AMapOfTheTruthIsRightAboutEverything) {
     if (place && !is_near) taken.push_back(*place);
     return !place || is_near ||
            (opi.Place("change") && opi.Place("discovery") &&
-            (*opi.Place("change") - *opi.Place("discovery")).norm() > 0.5);
+            (*opi.Place("change") - *opi.Place("discovery")).norm() >= 0.5 - 1e-6);
   });
   for (const ScenarioOpi& opi : scenario_.opis) {
     const auto before = opi.Place("discovery"), now = opi.Place("change");

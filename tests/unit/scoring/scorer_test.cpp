@@ -235,6 +235,29 @@ TEST(Scorer, ExpectsMovedOfAnObjectThatChangedItsPlace) {
   EXPECT_EQ(score.opis.changes[0].expected, "moved");
 }
 
+TEST(Scorer, ExpectsMovedFromHalfAMetreOn) {
+  Scenario scenario = Table1Scenario();
+  const auto expected = [&scenario](double off) {
+    scenario.opis[0].places["discovery"] = Eigen::Vector3d(4.1, 1.0, 5.5);
+    scenario.opis[0].places["change"] = Eigen::Vector3d(4.1 + off, 1.0, 5.5);
+    return ScoreSession(RecordOf(Brief(Change())), scenario, Table1Settings())
+        .opis.changes[0]
+        .expected;
+  };
+  EXPECT_EQ(expected(0.5), "moved");
+  EXPECT_EQ(expected(-0.5), "moved");
+  EXPECT_EQ(expected(0.49), "confirmed");
+}
+
+TEST(Scorer, HasNoProbabilityOfWhatNoLookSaysAnythingAbout) {
+  SyntheticSession session = Brief(Change());
+  session.opis.clear();
+  for (const ChangeScore& change : ScoreOf(session).opis.changes) {
+    EXPECT_TRUE(change.is_open());
+    EXPECT_FALSE(change.probability.has_value());
+  }
+}
+
 TEST(Scorer, MeasuresTheWayUntilAllFormerObjectsWereSeen) {
   const SessionScore score = ScoreOf(Change());
   // The last former object in the order of the lanes is OPI 2 at 10 m east.

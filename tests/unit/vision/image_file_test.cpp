@@ -2,6 +2,7 @@
 #include "limpet/vision/image_file.hpp"
 
 #include <filesystem>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,6 +24,15 @@ TEST(ImageFile, ThatIsCutShortIsNoPictureAndItsNameIsSaid) {
   const Expected<Image> half = ReadImage(file);
   ASSERT_FALSE(half);
   EXPECT_THAT(half.error().text, HasSubstr("half.jpg: the image is cut short"));
+}
+
+TEST(ImageFile, ThatSaysItIsHugeIsSaidToBeInWords) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "huge.ppm";
+  std::ofstream(file) << "P6 200000 200000 255\nabc";
+  const Expected<Image> huge = ReadImage(file);
+  ASSERT_FALSE(huge);
+  EXPECT_THAT(huge.error().text, HasSubstr("huge.ppm: more pixels than an image may have"));
 }
 
 }  // namespace
