@@ -343,7 +343,7 @@ void HelmApp::SettleBehaviors(const VehicleState& state) {
   journal_.PostLifeEvents(events, helm_iteration_, state.now);
   if (!events.empty()) {
     SubscribeForBehaviors();
-    journal_.PostUpdateVariables(host_.UpdateVariables());
+    journal_.PostVariables(host_);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "apps/pHelm/helm_journal.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -59,16 +60,10 @@ void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   }
   post_(topics::kHelmPiecesFormed.name, 0.0);
   post_(topics::kHelmPiecesCached.name, 0.0);
-  std::set<std::string> named;
   for (const std::string& variable : host.Variables()) {
     post_(topics::kHelmRegister.name, variable);
-    named.insert(variable);
   }
-  for (const std::string& variable : host.PostedVariables()) {
-    named.insert(variable);
-  }
-  post_(topics::kHelmStateVars.name, fmt::format("{}", fmt::join(named, ",")));
-  PostUpdateVariables(host.UpdateVariables());
+  PostVariables(host);
 }
 
 namespace {
@@ -200,6 +195,17 @@ void HelmJournal::PostPieces(int pieces) {
 void HelmJournal::PostUpdateResults(std::span<const std::string> results) {
   for (const std::string& result : results)
     post_(topics::kHelmUpdateResult.name, result);
+}
+
+void HelmJournal::PostVariables(const BehaviorHost& host) {
+  std::set<std::string> named;
+  std::ranges::copy(host.Variables(), std::inserter(named, named.end()));
+  std::ranges::copy(host.PostedVariables(), std::inserter(named, named.end()));
+  std::string text = fmt::format("{}", fmt::join(named, ","));
+  if (std::exchange(state_variables_, text) != text) {
+    post_(topics::kHelmStateVars.name, std::move(text));
+  }
+  PostUpdateVariables(host.UpdateVariables());
 }
 
 void HelmJournal::PostUpdateVariables(const std::string& variables) {

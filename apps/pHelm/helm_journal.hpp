@@ -46,8 +46,8 @@ class HelmJournal {
   void PostLifeEvents(std::span<const LifeEvent> events, std::int64_t iteration, Seconds now);
   /// What became of updates.
   void PostUpdateResults(std::span<const std::string> results);
-  /// Where behaviors take them, if that is new.
-  void PostUpdateVariables(const std::string& variables);
+  /// What behaviors hear and post, and where they take updates, if that is new.
+  void PostVariables(const BehaviorHost& host);
   /// Of the functions in BHV_IPF, if their number is new.
   void PostPieces(int pieces);
   /// The next summary is a whole one.
@@ -66,6 +66,7 @@ class HelmJournal {
  private:
   /// How many behaviors have completed in this iteration, if that is another number.
   void TellCompleted(int count);
+  void PostUpdateVariables(const std::string& variables);
   /// True if something about a behavior is new.
   [[nodiscard]] bool UpdateEntries(const HelmIteration& iteration);
   [[nodiscard]] std::string Described(State state) const;
@@ -80,6 +81,7 @@ class HelmJournal {
   Post post_;
   std::vector<Entry> entries_;
   Seconds started_{0.0};
+  std::optional<std::string> state_variables_;  ///< as last posted
   int completed_ = -1;  ///< behaviors that ended in an iteration, as last posted
   int alive_ = 0;
   int made_ = 0;                                ///< behaviors, ever

@@ -82,6 +82,8 @@ void HelmApp::AllStop(const std::string& why) {
     Publish(topics::kDesiredSpeed, 0.0);
     Publish(topics::kDesiredTurnRate, 0.0);
     if (arbiter_.domain().depth) Publish(topics::kDesiredDepth, 0.0);
+    // As pHelmIvP; a pilot of ours would turn to the north on the spot.
+    if (params_.at_points) Publish(topics::kDesiredHeading, 0.0);
   }
   stopped_for_ = why;
 }

@@ -288,5 +288,23 @@ TEST_F(HelmAppTest, NamesEachVariableOfItsStateOnce) {
   EXPECT_EQ(Posts("IVPHELM_STATEVARS").back(), "RETURN");
 }
 
+TEST_F(HelmAppTest, NamesTheVariablesOfABehaviorThatIsMadeUnderWay) {
+  std::ofstream(folder_.path() / "mission.bhv")
+      << "Behavior = BHV_TestNorth\n{\n  name = a\n}\n"
+         "Behavior = BHV_TestNorth\n{\n  name = b_\n  templating = spawn\n  updates = MORE\n"
+         "  endflag = FOUND = true\n}\n";
+  Make({});
+  Deploy();
+  Tick();
+  const std::size_t before = Posts("IVPHELM_STATEVARS").size();
+  Topic<std::string> more;
+  more.name = "MORE";
+  link_.Send(*app_, more, std::string("name = one # condition = GO = true"));
+  Tick();
+  Tick();
+  ASSERT_GT(Posts("IVPHELM_STATEVARS").size(), before);
+  EXPECT_THAT(Posts("IVPHELM_STATEVARS").back(), HasSubstr("GO"));
+}
+
 }  // namespace
 }  // namespace limpet

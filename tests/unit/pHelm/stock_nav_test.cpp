@@ -165,6 +165,21 @@ TEST_F(StockNavTest, WhileParkedBehaviorsStandToo) {
   EXPECT_TRUE(Said("ENDED")) << "the time that it was parked counts, as in a stock helm";
 }
 
+TEST_F(StockNavTest, AStopWritesAllOfTheDomainWhereItStandsInForAStockHelm) {
+  for (const bool is_stand_in : {true, false}) {
+    HelmApp::Params params;
+    params.domain = {"course:0:359:360", "speed:0:4:41"};
+    params.at_points = is_stand_in;
+    params.start_in_drive = false;
+    link_.published.clear();
+    Make(params);
+    HearAll(10.0);
+    Tick();
+    EXPECT_EQ(*link_.Last(topics::kDesiredSpeed), 0.0);
+    EXPECT_EQ(Said("DESIRED_HEADING"), is_stand_in) << "a pilot of ours would turn to the north";
+  }
+}
+
 TEST_F(StockNavTest, CannotBeParkedWhereTheMissionForbidsIt) {
   HelmApp::Params params;
   params.domain = {"course:0:359:360", "speed:0:4:41"};
