@@ -14,10 +14,10 @@
 namespace limpet {
 namespace {
 
-constexpr double kBack = 5.0;        // [s] that stamps may come late
-constexpr double kAhead = 600.0;     // [s] that a recorder may pause without being asked why
-constexpr double kLongest = 1800.0;  // [s] that are bridged
-constexpr double kTogether = 5.0;    // [s] between rows of one clock
+constexpr double kBack = 5.0;               // [s] that stamps may come late
+constexpr double kAhead = 600.0;            // [s] that a recorder may pause without being asked why
+constexpr double kLongestBridged = 1800.0;  // [s] that are bridged
+constexpr double kTogether = 5.0;           // [s] between rows of one clock
 constexpr std::size_t kAsked = 20, kAgreeing = 14;  // rows that show where the clock is
 
 double TimeOf(const StreamRow& row) {
@@ -165,7 +165,7 @@ class ClockMender {
       Step(i);
       return true;
     }
-    if (leap > kLongest) {
+    if (leap > kLongestBridged) {
       stream_.cut = fmt::format(
           "{}: after {:.1f} s nothing is said for {:.0f} s, and the vehicle is not as it was: what "
           "follows is another dive",

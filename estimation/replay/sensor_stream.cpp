@@ -94,10 +94,11 @@ class StreamParser {
   void TakeRow(const CsvFields& f, std::string_view kind) {
     if (kind == "FRM") {
       f.Expect(5);
-      missing_boxes_ = f.Integer(4);
+      const int boxes = f.Integer(4);  // it waits for none before all of its line is read
       stream_.rows.emplace_back(FrameRow{
           .arrival = f.Number(2),
           .frame = {.frame = f.Integer(3), .exposure = Seconds(f.Number(1)), .boxes = {}}});
+      missing_boxes_ = boxes;
     } else if (!f.AreFinite(1)) {
       ++stream_.refused_rows;
     } else if (kind == "ATT") {

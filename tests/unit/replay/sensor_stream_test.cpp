@@ -87,6 +87,18 @@ TEST_F(SensorStreamTest, PassesOverADamagedLineOfManyAndSaysSo) {
   EXPECT_FALSE(stream->cut.has_value());
 }
 
+TEST_F(SensorStreamTest, PassesOverAFrameWhoseLineIsDamagedAndItsBoxes) {
+  std::string text;
+  for (int i = 0; i < 600; ++i) {
+    text += fmt::format("DEP,{:.1f},3.5,0.02\n", 0.1 * i);
+    if (i == 100) text += "FRM,\"0.3,0.5,7,1\nDET,0.3,0.5,7,0,9,9,8,8,0.9,1\n";
+  }
+  const auto stream = Load(text);
+  ASSERT_TRUE(stream.has_value()) << stream.error().text;
+  EXPECT_EQ(stream->rows.size(), 600U);
+  EXPECT_THAT(stream->left_out, ElementsAre(HasSubstr("2 lines passed over")));
+}
+
 TEST_F(SensorStreamTest, NamesTheLineWithTooFewColumns) {
   const auto stream = Load("ATT,0.0,0.1\n");
   ASSERT_FALSE(stream.has_value());
