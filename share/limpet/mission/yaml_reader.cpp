@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,6 +33,28 @@ std::string PathOf(const std::string& path, const std::string& key) {
 }
 
 int LineOf(const YAML::Node& node) { return std::max(node.Mark().line + 1, 0); }
+
+/// The line `---` behind which another document has something to say; the library's own reading of
+/// several documents does not end for some damaged ones.
+std::optional<int> LineOfSecondDocument(const std::string& text) {
+  std::optional<int> mark;
+  bool has_content = false;
+  int number = 0;
+  for (const std::string& line : Split(text, '\n')) {
+    ++number;
+    const std::string_view said = Trim(line);
+    const bool is_mark =
+        line.starts_with("---") && (line.size() == 3 || line[3] == ' ' || line[3] == '\r');
+    if (is_mark) {
+      if (has_content && !mark) mark = number;
+      if (mark && said.size() > 3) return mark;
+    } else if (!said.empty() && !said.starts_with('#') && said != "...") {
+      if (mark) return mark;
+      has_content = true;
+    }
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -152,13 +177,10 @@ YamlReader::Field YamlReader::Integer(const std::string& path, const char* key, 
 }
 
 YAML::Node YamlReader::OnlyDocument(const std::string& text) {
-  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-  for (std::size_t more = 1; more < documents.size(); ++more) {
-    if (documents[more].IsNull()) continue;
-    Complain(documents[more], "", "a second document (behind a line `---`), which is not read");
-    break;
+  if (const std::optional<int> line = LineOfSecondDocument(text)) {
+    Complain(*line, "", "a second document (behind a line `---`), which is not read");
   }
-  return documents.empty() ? YAML::Node() : documents.front();
+  return YAML::Load(text);
 }
 
 YamlReader::Field YamlReader::Choice(const std::string& path, const char* key, std::string& field,
