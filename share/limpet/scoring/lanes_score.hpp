@@ -12,7 +12,7 @@ namespace limpet {
 /// direction, the number and the order that bring the vehicle home soonest with `kLaneShare` of the
 /// band seen (or, where none sees that much, that see most), with the same turns inside the same
 /// region. Reckoned, not flown: no doubt of the vehicle's place, no look at an object, no fix on
-/// the way; a survey that beats them beats the best of them.
+/// the way; of a few tours of lanes the best, so others may be shorter.
 struct LanesScore {
   int passes = 0;                           ///< straight pieces
   double direction_deg = 0.0;               ///< of the first of them, clockwise from north
