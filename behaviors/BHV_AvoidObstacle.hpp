@@ -50,6 +50,7 @@ class BHV_AvoidObstacle final : public Behavior {
   [[nodiscard]] bool TakeOver(const Behavior& former,
                               const std::vector<std::string>& keys) override;
   void Start(const VehicleState& state) override;
+  [[nodiscard]] bool IsConstraint() const override { return true; }
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
   [[nodiscard]] std::vector<BehaviorAct> Stop(const VehicleState& state) override;
   [[nodiscard]] std::vector<BehaviorAct> Idle(const VehicleState& state) override;

@@ -19,6 +19,7 @@ class BHV_MaxDepth final : public Behavior {
     void Describe(ParamCollector& visit);
   };
   explicit BHV_MaxDepth(const Params& params) : params_(params) {}
+  [[nodiscard]] bool IsConstraint() const override { return true; }
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
 
  private:

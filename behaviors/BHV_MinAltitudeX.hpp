@@ -18,6 +18,7 @@ class BHV_MinAltitudeX final : public Behavior {
   };
   explicit BHV_MinAltitudeX(const Params& params) : params_(params) {}
   [[nodiscard]] std::vector<std::string> Variables() const override { return {"NAV_ALTITUDE"}; }
+  [[nodiscard]] bool IsConstraint() const override { return true; }
   [[nodiscard]] MotionBid Move(const VehicleState& state) override;
 
  private:

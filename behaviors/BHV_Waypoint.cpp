@@ -49,7 +49,10 @@ std::vector<std::string> BHV_Waypoint::Variables() const {
 bool BHV_Waypoint::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   const auto& old = dynamic_cast<const BHV_Waypoint&>(former);
   const bool has_new_points = HasKey(keys, {"points", "polygon", "point"});
-  if (!has_new_points) {
+  if (has_new_points) {
+    travel_.progress.CountOn(old.travel_.progress);
+    travel_.odometer = old.travel_.odometer;
+  } else {
     const Travel fresh = std::exchange(travel_, old.travel_);
     WaypointProgress& progress = travel_.progress;
     const auto& points = params_.points;
@@ -177,6 +180,16 @@ void BHV_Waypoint::BidOnSpeed(double speed, const VehicleState& state, MotionBid
   bid.speed = peak;
 }
 
+void BHV_Waypoint::Bid(double bearing, const VehicleState& state, MotionBid& bid) {
+  const double speed = Speed(state.place());
+  if (params_.function_kind == "roc" || params_.function_kind == "rate_of_closure") {
+    bid.table = closure_.Toward({.bearing = bearing, .speed = speed}, state.domain);
+    return;
+  }
+  BidOnCourse(bearing, state, bid);
+  BidOnSpeed(speed, state, bid);
+}
+
 MotionBid BHV_Waypoint::Move(const VehicleState& state) {
   TakeStart(state);
   WaypointProgress& progress = travel_.progress;
@@ -201,8 +214,7 @@ MotionBid BHV_Waypoint::Move(const VehicleState& state) {
     PostStatus(state, acts);
     const MapPoint steering = SteeringPoint(state);
     acts.Draw(Drawing(state).Draw(progress.points(), progress.next(), steering));
-    BidOnCourse(BearingTo(at, steering), state, bid);
-    BidOnSpeed(Speed(at), state, bid);
+    Bid(BearingTo(at, steering), state, bid);
   }
   bid.acts = acts.Take();
   return bid;
@@ -231,7 +243,8 @@ void BHV_Waypoint::PostProgress(Step step, const VehicleState& state, ActList& a
 
 void BHV_Waypoint::PostEfficiency(const VehicleState& state, ActList& acts) {
   LegOdometer& odometer = travel_.odometer;
-  if (!odometer.Reach(state.place(), state.now, CruiseSpeed())) return;
+  // By `speed` also where speed_alt is in use, as MOOS-IvP has it.
+  if (!odometer.Reach(state.place(), state.now, params_.speed.value())) return;
   const auto post = [&](const std::string& which, const LegSums& sums) {
     acts.Post(With("WPT_EFF_DIST_" + which), sums.DistanceEfficiency());
     acts.Post(With("WPT_EFF_TIME_" + which), sums.TimeEfficiency());

@@ -8,6 +8,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/behavior.hpp"
+#include "limpet/helm/rate_of_closure.hpp"
 #include "limpet/helm/uneven_speed.hpp"
 #include "limpet/shapes/visual_hints.hpp"
 #include "limpet/waypoints/lead_point.hpp"
@@ -81,6 +82,8 @@ class BHV_Waypoint final : public Behavior {
   void TakeStart(const VehicleState& state);
   [[nodiscard]] MapPoint SteeringPoint(const VehicleState& state);
   [[nodiscard]] double Speed(const MapPoint& at) const;
+  /// For the way to `bearing`, as fast as the way's end allows.
+  void Bid(double bearing, const VehicleState& state, MotionBid& bid);
   void BidOnCourse(double bearing, const VehicleState& state, MotionBid& bid) const;
   void BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid);
   void PostProgress(WaypointProgress::Step step, const VehicleState& state, ActList& acts);
@@ -94,6 +97,7 @@ class BHV_Waypoint final : public Behavior {
   Params params_;
   Travel travel_;
   UnevenSpeed uneven_speed_;
+  RateOfClosure closure_;
 };
 
 }  // namespace limpet

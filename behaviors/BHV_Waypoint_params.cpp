@@ -84,9 +84,7 @@ void DescribeLegs(ParamCollector& visit, Params& params) {
   visit("lead_to_start", params.leads_to_start, "Lead on the way to the first point, too");
   visit.ParsedLines("lead_condition", "a condition", "Lead only while all of them hold",
                     [&params](std::string_view text) {
-                      std::string written(text);
-                      std::ranges::replace(written, ',', '=');
-                      auto condition = Condition::Parse(written);
+                      auto condition = Condition::ParseWithCommas(text);
                       if (!condition) return false;
                       params.lead_conditions.push_back(*std::move(condition));
                       return true;
@@ -152,8 +150,8 @@ void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
   DescribeSpeed(visit, *this);
   DescribePosts(visit, *this);
   visit.Parsed("ipf_type", "text",
-               "What it prefers of speeds. zaic_spd: rather slower than faster; roc and "
-               "rate_of_closure, which pHelmIvP has, are as zaic here",
+               "What it prefers. zaic: the way's course and speed, each by itself; zaic_spd: "
+               "rather slower than faster; roc, rate_of_closure: to come nearer at that speed",
                "zaic", [this](std::string_view text) {
                  // Other words leave it alone, as there.
                  const std::string word = Lower(text);

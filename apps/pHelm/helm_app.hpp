@@ -113,6 +113,8 @@ class HelmApp final : public App {
   void SettleBehaviors(const VehicleState& state);
   /// Raises what behaviors raise now, and clears what none raises any more.
   void TellBehaviorWarnings();
+  void Ask(const Topic<double>& topic, double value);
+  void AskForNothing();
   void AllStop(const std::string& why);
   void ClearAllStop();
   void PublishState(Seconds now);

@@ -56,6 +56,10 @@ void HelmApp::Drive() {
     AllStop("NothingToDo");
     return;
   }
+  if (params_.goals_mandatory && !decision.has_goal) {
+    AllStop("NoGoalBehavior");
+    return;
+  }
   if (const std::string missing = decision.Missing(arbiter_.domain()); !missing.empty()) {
     const std::string why = "MissingDecVars:" + missing;
     if (allstop_text_ != why) Publish(topics::kBehaviorError, why);
@@ -63,27 +67,47 @@ void HelmApp::Drive() {
     return;
   }
   ClearAllStop();
-  if (decision.course) Publish(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
-  if (decision.speed) Publish(topics::kDesiredSpeed, *decision.speed);
-  if (decision.depth) Publish(topics::kDesiredDepth, *decision.depth);
-  Publish(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+  if (decision.course) Ask(topics::kDesiredHeading, MoosHeadingFromYaw(*decision.course));
+  if (decision.speed) Ask(topics::kDesiredSpeed, *decision.speed);
+  if (decision.depth) Ask(topics::kDesiredDepth, *decision.depth);
+  Ask(topics::kDesiredTurnRate, decision.turn_rate.value_or(0.0));
+}
+
+void HelmApp::Ask(const Topic<double>& topic, double value) {
+  if (params_.helm_prefix.empty()) {
+    Publish(topic, value);
+  } else {
+    PublishRaw(params_.helm_prefix + std::string(topic.name), value);
+  }
+}
+
+/// All that it decides on, to 0. A prefix makes no difference: who drives must hear it, and so must
+/// who hears the prefix.
+void HelmApp::AskForNothing() {
+  const auto zero = [this](const Topic<double>& topic) {
+    Publish(topic, 0.0);
+    if (!params_.helm_prefix.empty()) Ask(topic, 0.0);
+  };
+  zero(topics::kDesiredSpeed);
+  zero(topics::kDesiredTurnRate);
+  if (arbiter_.domain().depth) zero(topics::kDesiredDepth);
+  // As pHelmIvP; a pilot of ours would turn to the north on the spot.
+  if (params_.at_points) zero(topics::kDesiredHeading);
 }
 
 void HelmApp::AllStop(const std::string& why) {
   // One iteration without a decision is held off: one behavior may hand over to another by a flag.
-  const bool is_empty = why == "NothingToDo" || why.starts_with("MissingDecVars");
+  const bool is_empty =
+      why == "NothingToDo" || why == "NoGoalBehavior" || why.starts_with("MissingDecVars");
   empty_decisions_ = is_empty ? empty_decisions_ + 1 : 0;
   allstop_text_ = why;
   if (empty_decisions_ == 1) return;
   if (lead_.leads()) {
     lead_.Stop();
-  } else if (stopped_for_ != why) {
-    // Once: a pilot that hears nothing more goes to zero by itself.
-    Publish(topics::kDesiredSpeed, 0.0);
-    Publish(topics::kDesiredTurnRate, 0.0);
-    if (arbiter_.domain().depth) Publish(topics::kDesiredDepth, 0.0);
-    // As pHelmIvP; a pilot of ours would turn to the north on the spot.
-    if (params_.at_points) Publish(topics::kDesiredHeading, 0.0);
+  } else if (params_.at_points || stopped_for_ != why) {
+    // Once: a pilot of ours that hears nothing more goes to zero by itself. In a stock helm's place
+    // each time, as that does.
+    AskForNothing();
   }
   stopped_for_ = why;
 }

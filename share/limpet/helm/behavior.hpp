@@ -113,6 +113,10 @@ class Behavior {
     return {};
   }
 
+  /// True if it says only what must not be, e.g. keeps off an obstacle: with `goals_mandatory` the
+  /// helm stands still where nobody else bids.
+  [[nodiscard]] virtual bool IsConstraint() const { return false; }
+
   /// True if it bids for looks at objects: left out when a survey is to weigh coverage alone.
   [[nodiscard]] virtual bool IsAboutObjects() const { return false; }
   /// What it wants of each object now; nothing from behaviors that are not about objects.

@@ -35,6 +35,17 @@ inline const WarningFamily kBehaviorLate = DeclareWarningFamily(
                "code, or at what else the machine does.",
      .clears = "With its next bid in time, or when it runs no more."});
 
+inline const WarningFamily kBidUnheard = DeclareWarningFamily(
+    "BID_UNHEARD_<BEHAVIOR>",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning =
+         "A behavior bids on a variable that the helm's domain does not have, and on nothing "
+         "else: it has no say.",
+     .action = "Give the helm's block a line of that variable, e.g. `domain = depth:0:100:101`, or "
+               "take the behavior out.",
+     .clears = "When it runs no more."});
+
 }  // namespace limpet::warnings
 
 namespace limpet {

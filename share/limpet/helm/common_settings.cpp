@@ -41,9 +41,7 @@ std::optional<std::string> ReadWeight(const std::string& text, CommonSettings& s
 }
 
 std::optional<std::string> ReadCondition(const std::string& text, CommonSettings& settings) {
-  std::string written = text;
-  std::ranges::replace(written, ',', '=');  // MOOS's habit: `condition = DEPLOY, true`
-  Expected<Condition> condition = Condition::Parse(written);
+  Expected<Condition> condition = Condition::ParseWithCommas(text);
   if (!condition) return condition.error().text;
   settings.conditions.push_back(*std::move(condition));
   return std::nullopt;

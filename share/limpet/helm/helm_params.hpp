@@ -28,6 +28,8 @@ struct HelmParams {
   std::optional<Seconds> ok_skew;  ///< absent: any
   std::string other_override_var{};
   bool park_on_allstop = false;
+  bool goals_mandatory = false;
+  std::string helm_prefix{};
   bool post_ipf = false;
   std::string lead{};
   std::string lead_depth{}, lead_course{}, lead_speed{};
@@ -69,10 +71,9 @@ struct HelmParams {
           "Of its BHV_ConstantHeading, told a course while there is no way; with lead_speed");
     visit("lead_speed", lead_speed, "Of its BHV_ConstantSpeed; with lead_course");
     DescribeMail(visit);
-    visit.WithoutEffect({"node_skew", "verbose", "goals_mandatory", "standby", "helm_prefix",
-                         "helm_alias", "contact_max_age", "pmgen", "seed_random",
-                         "ivp_behavior_dir", "ivp_behavior_dirs", "bhv_dir_not_found_ok",
-                         "bhv_dirs_not_found_ok"});
+    visit.WithoutEffect({"node_skew", "verbose", "standby", "helm_alias", "contact_max_age",
+                         "pmgen", "seed_random", "ivp_behavior_dir", "ivp_behavior_dirs",
+                         "bhv_dir_not_found_ok", "bhv_dirs_not_found_ok"});
     views.Describe(visit);
   }
 
@@ -94,6 +95,10 @@ struct HelmParams {
           "Another variable that parks the helm, or lets it drive, as MOOS_MANUAL_OVERRIDE does");
     visit("park_on_allstop", park_on_allstop,
           "With the first iteration that stops all it is parked, if it may be (allow_park)");
+    visit("goals_mandatory", goals_mandatory,
+          "Stand still where only constraints bid: BHV_AvoidObstacle, MaxDepth, MinAltitudeX");
+    visit("helm_prefix", helm_prefix,
+          "Before the names DESIRED_HEADING, _SPEED and the like; to stop all, both are written");
   }
 };
 

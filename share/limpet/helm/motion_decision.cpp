@@ -105,9 +105,11 @@ const MotionDecision& MotionArbiter::Decide(std::span<const WeightedBehavior> be
   }
   tables_.clear();
   std::size_t active = 0;
+  decision_.has_goal = false;
   for (const OwnedMotionBid& owned : bids()) {
     Add(owned);
     if (!HasOpinion(owned.bid, domain_)) continue;
+    decision_.has_goal = decision_.has_goal || !owned.is_constraint;
     if (decision_.active.size() == active) decision_.active.emplace_back();
     decision_.active[active++] = owned.owner;
   }
@@ -127,7 +129,22 @@ void MotionArbiter::Ask(const WeightedBehavior& running, const VehicleState& sta
   if (is_at_points_) StandAtPoints(owned.bid);
   owned.owner = running.name;
   owned.weight = running.weight;
+  NoteUnheard(owned);
   ++heard_;
+}
+
+/// An opinion that nobody can follow would else be taken for one that is.
+void MotionArbiter::NoteUnheard(const OwnedMotionBid& owned) {
+  if (HasOpinion(owned.bid, domain_)) return;
+  for (const MotionVariable variable : kMotionVariables) {
+    if (!PeakOf(owned.bid, variable)) continue;
+    decision_.warnings.push_back(
+        {.owner = owned.owner,
+         .warning = {
+             warnings::kBidUnheard.Of(owned.owner),
+             fmt::format("it bids on {}, which the domain does not have", NameOf(variable))}});
+    return;
+  }
 }
 
 void MotionArbiter::StandAtPoints(MotionBid& bid) const {
@@ -144,7 +161,10 @@ bool MotionArbiter::Hear(const WeightedBehavior& running, const VehicleState& st
   bool is_asked = false;
   const auto late = watch_.Ask(running.name, [&] {
     is_asked = true;
-    failure = FailureOf(running.name, [&] { owned.bid = running.behavior->Move(state); });
+    failure = FailureOf(running.name, [&] {
+      owned.bid = running.behavior->Move(state);
+      owned.is_constraint = running.behavior->IsConstraint();
+    });
   });
   if (late) decision_.warnings.push_back(LatenessOf(running.name, *late));
   if (failure) Fail(failure->owner, failure->text);

@@ -25,6 +25,7 @@ struct OwnedMotionBid {
   std::string owner;
   double weight = 1.0;
   MotionBid bid;
+  bool is_constraint = false;  ///< of a behavior that has no goal of its own
 };
 
 /// What the helm asks of the vehicle now.
@@ -37,6 +38,7 @@ struct MotionDecision {
   std::vector<BehaviorTurn> turns;        ///< of all running behaviors that did not fail
   std::vector<BehaviorFailure> failures;  ///< these are in `warnings`, too
   std::vector<std::string> active;        ///< names of behaviors that had an opinion
+  bool has_goal = false;                  ///< one of these is no constraint
 
   [[nodiscard]] const std::optional<double>& value(MotionVariable variable) const;
   /// Names of the domain's variables that nobody bid on and that are not optional, e.g.
@@ -75,6 +77,7 @@ class MotionArbiter {
   [[nodiscard]] bool Hear(const WeightedBehavior& running, const VehicleState& state,
                           OwnedMotionBid& owned);
   void Fail(const std::string& owner, const std::string& text);
+  void NoteUnheard(const OwnedMotionBid& owned);
   void StandAtPoints(MotionBid& bid) const;
   void Add(const OwnedMotionBid& owned);
   void Choose(const VehicleState& state);

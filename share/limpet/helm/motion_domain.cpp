@@ -156,9 +156,9 @@ std::vector<ConfigProblem> ReadMotionDomain(std::span<const ConfigEntry> lines,
 
 std::string MotionDomainText(std::span<const std::string> lines) {
   std::string text;
-  for (const std::string& line : lines) {
-    std::vector<std::string> parts = PartsOf(line);
-    const Expected<MotionAxis> axis = AxisOf(line, parts);
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    std::vector<std::string> parts = PartsOf(*line);
+    const Expected<MotionAxis> axis = AxisOf(*line, parts);
     if (!axis) continue;  // refused where the domain is read
     text += fmt::format("{}{},{:g},{:g},{}", text.empty() ? "" : ":", parts[0], axis->low,
                         axis->high, axis->points);

@@ -57,7 +57,7 @@ struct MotionDomain {
                                                           const SourceLine& block,
                                                           MotionDomain& domain);
 
-/// `course,0,359,360:speed,0,1,21`, as IVPHELM_DOMAIN has it: in the lines' order.
+/// `speed,0,1,21:course,0,359,360`, as IVPHELM_DOMAIN has it: the last line comes first.
 [[nodiscard]] std::string MotionDomainText(std::span<const std::string> lines);
 
 }  // namespace limpet

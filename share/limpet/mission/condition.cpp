@@ -171,6 +171,14 @@ Expected<Condition> Condition::Parse(std::string_view text) {
   return Condition(std::string(Trim(text)), std::make_unique<Node>(*std::move(root)));
 }
 
+Expected<Condition> Condition::ParseWithCommas(std::string_view text) {
+  Expected<Condition> as_written = Parse(text);
+  if (as_written || text.find(',') == std::string_view::npos) return as_written;
+  std::string with_equals(text);
+  std::ranges::replace(with_equals, ',', '=');
+  return Parse(with_equals);
+}
+
 bool Condition::Holds(const ValueLookup& lookup, Seconds utc_now) {
   return Evaluation(lookup, utc_now, seen_).Holds(*root_);
 }

@@ -29,6 +29,9 @@ class Condition {
  public:
   /// Parses; the error says what is wrong in words.
   [[nodiscard]] static Expected<Condition> Parse(std::string_view text);
+  /// Of behavior files, where a comma may stand for `=`, as in `DEPLOY, true`, where nothing else
+  /// compares.
+  [[nodiscard]] static Expected<Condition> ParseWithCommas(std::string_view text);
 
   Condition(Condition&&) noexcept;
   Condition& operator=(Condition&&) noexcept;

@@ -23,6 +23,12 @@ void WaypointProgress::MovePoints(std::vector<MapPoint> points) {
   nearest_.reset();
 }
 
+void WaypointProgress::CountOn(const WaypointProgress& former) {
+  captures_ = former.captures_;
+  slips_ = former.slips_;
+  repeated_ = former.repeated_;
+}
+
 void WaypointProgress::Reverse() {
   std::ranges::reverse(points_);
   index_ = 0;

@@ -27,6 +27,8 @@ class WaypointProgress {
   /// Other places for as many points, on the way as it is. REQUIRES: as many.
   void MovePoints(std::vector<MapPoint> points);
   void Append(const MapPoint& point) { points_.push_back(point); }
+  /// Points and rounds that `former` has reached on another list count here, too.
+  void CountOn(const WaypointProgress& former);
   /// The last one first, from the new first one on.
   void Reverse();
   /// No effect if there is no such point.

@@ -369,6 +369,35 @@ TEST(BhvWaypoint, RefusesWhatIsNoWayAndSaysWhatWouldBe) {
   }
 }
 
+TEST(BhvWaypoint, ComesNearerAtItsSpeedWhereItsBlockAsksForTheRateOfClosure) {
+  HelmFlight flight = AtTheFirstPoint("  ipf_type = roc\n  endflag = DONE = true\n");
+  flight.Fly(20.0);
+  EXPECT_NEAR(flight.speed(), 2.0, 1e-9);
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("DONE").empty(); }, 400.0));
+  EXPECT_NEAR(flight.travelled(), kAlphaRound - 5.0, 0.05 * kAlphaRound);
+}
+
+TEST(BhvWaypoint, CountsOnWhenAnUpdateGivesItOtherPoints) {
+  HelmFlight flight = AtTheFirstPoint("  updates = UP\n");
+  ASSERT_TRUE(flight.FlyUntil([&] { return flight.Last("WPT_INDEX") == "2"; }, 200.0));
+  EXPECT_THAT(flight.Last("WPT_STAT"), HasSubstr("hits=2/2"));
+  const std::string odometer = flight.Last("WPT_ODO");
+  flight.Say("UP", std::string("points = 0,-100 : 0,-200"));
+  flight.Fly(0.3);
+  EXPECT_THAT(flight.Last("WPT_STAT"), HasSubstr("index=0,hits=2/2"));
+  EXPECT_GE(std::stod(flight.Last("WPT_ODO")), std::stod(odometer));
+}
+
+TEST(BhvWaypoint, JudgesTheTimeOfALegByItsSpeedAlsoWhileAnotherIsInUse) {
+  HelmFlight flight = AtTheFirstPoint(
+      "  efficiency_measure = all\n  speed_alt = 1\n  use_alt_speed = true\n"
+      "  endflag = DONE = true\n");
+  flight.state().nav.u = 1.0;
+  ASSERT_TRUE(flight.FlyUntil([&] { return !flight.Posts("DONE").empty(); }, 800.0));
+  EXPECT_NEAR(std::stod(flight.Last("WPT_EFF_TIME_ALL")),
+              0.5 * std::stod(flight.Last("WPT_EFF_DIST_ALL")), 0.03);
+}
+
 TEST(BhvWaypoint, SaysTheFormOfFunctionThatItsBlockNames) {
   const auto kind = [](const std::string& lines) {
     HelmFlight flight("Behavior = BHV_Waypoint\n{\n  points = 100,0\n  speed = 1\n" + lines +

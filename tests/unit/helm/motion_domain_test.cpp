@@ -80,7 +80,8 @@ TEST(MotionDomainLines, AreReadInTheFormsOfExistingMissions) {
 TEST(MotionDomainLines, AreToldAsOneText) {
   const std::vector<std::string> lines{"course:0:359:360", "speed: 0:1:21",
                                        "depth,0,9,10,optional"};
-  EXPECT_EQ(MotionDomainText(lines), "course,0,359,360:speed,0,1,21:depth,0,9,10");
+  EXPECT_EQ(MotionDomainText(lines), "depth,0,9,10:speed,0,1,21:course,0,359,360")
+      << "the last line first, as MOOS-IvP tells its domain";
 }
 
 TEST(MotionDomainLines, WithAnUnknownNameAreComplainedAboutOnceWithTheNearestName) {

@@ -123,6 +123,15 @@ TEST(Condition, ListsItsVariables) {
   EXPECT_THAT(condition.Variables(), ElementsAre("A", "B", "C"));
 }
 
+TEST(Condition, OfABehaviorFileMayWriteACommaForEquals) {
+  EXPECT_EQ(Condition::ParseWithCommas("(DEPLOY, true) and (A < 3)")->Variables(),
+            (std::vector<std::string>{"A", "DEPLOY"}));
+  Condition list = *Condition::ParseWithCommas("S = a,b");
+  EXPECT_TRUE(list.Holds(LookupIn({{"S", std::string("a,b")}}), Seconds(0.0)))
+      << "where something else compares, a comma is part of the value";
+  EXPECT_FALSE(Condition::ParseWithCommas("a,b,c").has_value());
+}
+
 TEST(Condition, RefusesHostileNesting) {
   std::string text = "A=1";
   for (int i = 0; i < 5000; ++i) {

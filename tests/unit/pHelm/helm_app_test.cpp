@@ -110,7 +110,7 @@ TEST_F(HelmAppTest, IntroducesItselfOnce) {
   Tick();
   EXPECT_THAT(Posts("IVPHELM_MODESET"), ElementsAre("MODE#---,ACTIVE#---,INACTIVE"));
   EXPECT_THAT(Posts("IVPHELM_DOMAIN"),
-              ElementsAre("course,0,359,360:speed,0,1,21:depth,0,100,1001"));
+              ElementsAre("depth,0,100,1001:speed,0,1,21:course,0,359,360"));
   EXPECT_THAT(Posts("IVPHELM_LIFE_EVENT"),
               ElementsAre("iter=0,time=0.00, bname=north, btype=BHV_TestNorth, event=spawn, "
                           "seed=helm_startup,iter=1"));

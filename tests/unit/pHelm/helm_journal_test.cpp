@@ -67,7 +67,7 @@ TEST_F(HelmJournalTest, TheFirstSummaryIsWhole) {
             "modes=MODE@ACTIVE:SURVEYING,"
             "running_bhvs=cover$1000.10$0/0,active_bhvs=follow$1000.10$100$0$0$3/4$1,"
             "disabled_bhvs=none,idle_bhvs=home$0.00$0/0,completed_bhvs=none,"
-            "ivpdomain=\"course,0,359,360:speed,0,1,21\"");
+            "ivpdomain=\"speed,0,1,21:course,0,359,360\"");
 }
 
 TEST_F(HelmJournalTest, LaterSummariesSayWhatChanged) {

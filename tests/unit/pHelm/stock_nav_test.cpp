@@ -36,11 +36,30 @@ class BHV_TestAhead final : public Behavior {
 };
 LIMPET_REGISTER_BEHAVIOR(BHV_TestAhead);
 
+/// Has a say on the depth alone, and no goal.
+class BHV_TestShallow final : public Behavior {
+ public:
+  struct Params {
+    template <class V>
+    void Describe(V&) {}
+  };
+  explicit BHV_TestShallow(const Params&) {}
+  [[nodiscard]] bool IsConstraint() const override { return true; }
+  [[nodiscard]] MotionBid Move(const VehicleState&) override {
+    MotionBid bid;
+    bid.depth = Peak{.summit = 2.0, .flat_half_width = 0.0, .base_half_width = 5.0};
+    return bid;
+  }
+};
+LIMPET_REGISTER_BEHAVIOR(BHV_TestShallow);
+
 class StockNavTest : public ::testing::Test {
  protected:
-  void Make(HelmApp::Params params, const std::string& lines = "") {
-    std::ofstream(folder_.path() / "mission.bhv") << "Behavior = BHV_TestAhead\n{\n"
-                                                  << lines << "}\n";
+  void Make(const HelmApp::Params& params, const std::string& lines = "") {
+    MakeWith("Behavior = BHV_TestAhead\n{\n" + lines + "}\n", params);
+  }
+  void MakeWith(const std::string& behaviors, const HelmApp::Params& params) {
+    std::ofstream(folder_.path() / "mission.bhv") << behaviors;
     AppContext context;
     context.name = "pHelmIvP";
     context.link = &link_;
@@ -178,6 +197,66 @@ TEST_F(StockNavTest, AStopWritesAllOfTheDomainWhereItStandsInForAStockHelm) {
     EXPECT_EQ(*link_.Last(topics::kDesiredSpeed), 0.0);
     EXPECT_EQ(Said("DESIRED_HEADING"), is_stand_in) << "a pilot of ours would turn to the north";
   }
+}
+
+TEST_F(StockNavTest, AStopIsWrittenAnewInEachIterationWhereItStandsInForAStockHelm) {
+  for (const bool is_stand_in : {true, false}) {
+    HelmApp::Params params;
+    params.domain = {"course:0:359:360", "speed:0:4:41"};
+    params.at_points = is_stand_in;
+    params.start_in_drive = false;
+    link_.published.clear();
+    Make(params);
+    HearAll(10.0);
+    Tick();
+    Tick();
+    Tick();
+    EXPECT_EQ(link_.Count(topics::kDesiredSpeed), is_stand_in ? 3 : 1);
+  }
+}
+
+TEST_F(StockNavTest, WritesWhatItDecidesUnderThePrefixAndItsStopUnderBothNames) {
+  HelmApp::Params params;
+  params.domain = {"course:0:359:360", "speed:0:4:41"};
+  params.helm_prefix = "PRE_";
+  Make(params);
+  HearAll(10.0);
+  Tick();
+  EXPECT_TRUE(Said("PRE_DESIRED_HEADING"));
+  EXPECT_TRUE(Said("PRE_DESIRED_SPEED"));
+  EXPECT_FALSE(Said("DESIRED_SPEED"));
+  link_.published.clear();
+  link_.Send(*app_, topics::kManualOverride, true);
+  Tick();
+  EXPECT_TRUE(Said("PRE_DESIRED_SPEED"));
+  EXPECT_EQ(*link_.Last(topics::kDesiredSpeed), 0.0);
+}
+
+TEST_F(StockNavTest, StandsStillForConstraintsAloneWhereGoalsAreMandatory) {
+  for (const bool are_mandatory : {false, true}) {
+    HelmApp::Params params;
+    params.domain = {"course:0:359:360:optional", "speed:0:4:41:optional", "depth:0:100:101"};
+    params.goals_mandatory = are_mandatory;
+    MakeWith("Behavior = BHV_TestShallow\n{\n}\n", params);
+    HearAll(10.0);
+    link_.Send(*app_, topics::kNavDepth, 1.0);
+    Tick();
+    Tick();
+    EXPECT_EQ(AllStop(), are_mandatory ? "NoGoalBehavior" : "clear");
+  }
+}
+
+TEST_F(StockNavTest, SaysThatABehaviorBidsOnWhatTheDomainDoesNotHave) {
+  HelmApp::Params params;
+  params.domain = {"course:0:359:360", "speed:0:4:41"};
+  MakeWith("Behavior = BHV_TestShallow\n{\n  name = shallow\n}\n", params);
+  HearAll(10.0);
+  Tick();
+  ASSERT_TRUE(app_->warnings().contains("BID_UNHEARD_shallow"));
+  MakeSurface();
+  HearAll(10.0);
+  Tick();
+  EXPECT_TRUE(app_->warnings().empty()) << "who bids on course and speed, too, has a say";
 }
 
 TEST_F(StockNavTest, CannotBeParkedWhereTheMissionForbidsIt) {
