@@ -16,12 +16,17 @@ namespace {
 class AcousticFix final : public MeasurementSource {
  public:
   struct Params {
-    Meters sigma{1.0};
+    Meters sigma{1.0}, constant_sigma{1.0};
     Seconds correlation{10.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
       using namespace literals;
       visit("sigma_m", sigma, "1-sigma of each axis of a fix, at least", InRange(0.01_m, 1000.0_m));
+      visit(
+          "constant_sigma_m", constant_sigma,
+          "1-sigma of each axis of what all fixes are off by alike, e.g. for a transceiver that is "
+          "not where it is said to be: estimated with the track",
+          InRange(0.01_m, 1000.0_m));
       visit("correlation_s", correlation, "Fixes closer together err alike and count as one",
             InRange(0.0_s, 600.0_s));
     }
@@ -43,8 +48,14 @@ class AcousticFix final : public MeasurementSource {
     return seen;
   }
 
+  [[nodiscard]] std::optional<SourceErrors> Errors() const override {
+    return SourceErrors{
+        .names = {"acoustic_off_north_m", "acoustic_off_east_m", "acoustic_off_down_m"},
+        .sigma = Eigen::Vector3d::Constant(params_.constant_sigma.value())};
+  }
+
   [[nodiscard]] std::optional<Term> Measure(const mrpt::obs::CObservation& seen,
-                                            int /*errors*/) override {
+                                            int errors) override {
     const double t = mrpt::Clock::toDouble(seen.timestamp);
     const double since = t - used_t_;
     used_t_ = t;
@@ -53,7 +64,8 @@ class AcousticFix final : public MeasurementSource {
     Eigen::Vector3d sigma;
     for (int axis = 0; axis < 3; ++axis)
       sigma(axis) = std::sqrt(worth * pose.cov(axis, axis));
-    return Term::OnPose(PositionFactor({pose.mean.x(), pose.mean.y(), pose.mean.z()}, sigma));
+    return Term::OnObservation(PositionFactor({pose.mean.x(), pose.mean.y(), pose.mean.z()}, sigma),
+                               errors);
   }
 
   [[nodiscard]] bool is_fix() const override { return true; }

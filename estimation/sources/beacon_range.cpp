@@ -16,15 +16,18 @@ class BeaconRange final : public MeasurementSource {
   struct Params {
     std::string variable = "BEACON_RANGE";
     Eigen::Vector3d beacon = Eigen::Vector3d::Zero(), transducer = Eigen::Vector3d::Zero();
-    Meters sigma{0.5}, greatest{1000.0};
+    Meters sigma{0.5}, at_sigma{1.0}, greatest{1000.0};
     template <class Visitor>
     void Describe(Visitor& visit) {
       using namespace literals;
       visit("variable", variable, "Says the slant range, a number [m]");
       visit.Required("at_m", beacon, "m", "The beacon: north, east, down");
+      visit("at_sigma_m", at_sigma,
+            "1-sigma of each axis of at_m: where the beacon really is, is estimated with the track",
+            InRange(0.01_m, 1000.0_m));
       visit("transducer_m", transducer, "m", "The vehicle's own: forward, starboard, down",
             InRange(-10.0, 10.0));
-      visit("sigma_m", sigma, "1-sigma of a range, place of the beacon and sound speed included",
+      visit("sigma_m", sigma, "1-sigma of a range, sound speed included",
             InRange(0.001_m, 100.0_m));
       visit("greatest_m", greatest, "What is further is an echo", InRange(1.0_m, 20000.0_m));
     }
@@ -47,15 +50,20 @@ class BeaconRange final : public MeasurementSource {
     return seen;
   }
 
+  [[nodiscard]] std::optional<SourceErrors> Errors() const override {
+    return SourceErrors{.names = {"beacon_off_north_m", "beacon_off_east_m", "beacon_off_down_m"},
+                        .sigma = Eigen::Vector3d::Constant(params_.at_sigma.value())};
+  }
+
   [[nodiscard]] std::optional<Term> Measure(const mrpt::obs::CObservation& seen,
-                                            int /*errors*/) override {
+                                            int errors) override {
     const auto& ranges = dynamic_cast<const mrpt::obs::CObservationBeaconRanges&>(seen);
     const auto& one = ranges.sensedData.front();
     if (one.sensedDistance > ranges.maxSensorDistance) return std::nullopt;
     const auto& place = one.sensorLocationOnRobot;
     const Meters measured(one.sensedDistance), sigma(ranges.stdError);
-    return Term::OnPose(
-        BeaconFactor(params_.beacon, {place.x(), place.y(), place.z()}, measured, sigma));
+    return Term::OnObservation(
+        BeaconFactor(params_.beacon, {place.x(), place.y(), place.z()}, measured, sigma), errors);
   }
 
  private:

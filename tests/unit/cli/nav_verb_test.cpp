@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -346,6 +347,9 @@ TEST_F(NavVerbSourcesTest, HearsTheSourcesThatAreNamed) {
             kOk);
   EXPECT_THAT(output_, HasSubstr("beacon_range: 49 rows of BEACON_RANGE; 49 taken, 0 refused"));
   EXPECT_THAT(output_, HasSubstr("magnetic_heading: no row of "));
+  std::ostringstream states;
+  states << std::ifstream(folder_.path() / "out" / "states.csv").rdbuf();
+  EXPECT_THAT(states.str(), HasSubstr(",beacon_off_north_m,")) << "where the beacon really is";
   EXPECT_THAT(output_, HasSubstr("49 rows of USBL_FIX were not used"));
 }
 

@@ -86,7 +86,8 @@ class HearingNav : public ::testing::Test {
     context.name = "pNav";
     context.link = &link_;
     context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
-    app_ = CreateNavApp(context, Block({{"sources", "acoustic_fix"}}));
+    app_ = CreateNavApp(
+        context, Block({{"sources", "acoustic_fix"}, {"acoustic_fix_constant_sigma_m", "0.2"}}));
   }
   void RunFor(double seconds, double fix_north) {
     DvlSample at_rest;

@@ -64,6 +64,20 @@ class SourcesTest : public ::testing::Test {
       navigator_->Advance(t_);
     }
   }
+  void SayFix(const Eigen::Vector3d& place_W) {
+    const UsblFix fix{.north = place_W.x() + noise_.Normal(0.5),
+                      .east = place_W.y() + noise_.Normal(0.5),
+                      .down = place_W.z() + noise_.Normal(0.5),
+                      .sd = 0.5};
+    Say(0, TopicCodec<UsblFix>::Encode(fix));
+  }
+  /// No farther off than three sigmas, nor than `most` [m].
+  void ExpectHonest(double most) const {
+    const NavigatorEstimate estimate = navigator_->Estimate(t_);
+    const double sigma = estimate.sd_p_W.head<2>().norm();
+    EXPECT_LT(Error(), 3.0 * sigma);
+    EXPECT_LT(Error(), most);
+  }
   [[nodiscard]] double Error() const {
     return (navigator_->Estimate(t_).X_WB.p_WB - p_W_).head<2>().norm();
   }
@@ -129,15 +143,32 @@ TEST_F(SourcesTest, AnEchoIsRefusedAndCounted) {
 
 TEST_F(SourcesTest, AcousticFixesReplaceGpsUnderWater) {
   velocity_error_B_ = {0.02, 0.02, 0.0};
-  Hear(Made("acoustic_fix", {{"sigma_m", "0.8"}}));
-  Go(900.0, [&] {
-    const UsblFix fix{.north = p_W_.x() + noise_.Normal(0.5),
-                      .east = p_W_.y() + noise_.Normal(0.5),
-                      .down = p_W_.z() + noise_.Normal(0.5),
-                      .sd = 0.5};
-    Say(0, TopicCodec<UsblFix>::Encode(fix));
-  });
-  EXPECT_LT(Error(), 1.0);
+  Hear(Made("acoustic_fix", {{"sigma_m", "0.8"}, {"constant_sigma_m", "0.2"}}));
+  Go(900.0, [&] { SayFix(p_W_); });
+  ExpectHonest(1.0);
+}
+
+TEST_F(SourcesTest, ABeaconThatIsNotWhereItIsSaidToBeIsFoundAndMovesNobodyForSure) {
+  const Eigen::Vector3d said(15.0, 40.0, 12.0), off(3.0, -3.0, 0.0);
+  Hear(Made("beacon_range", {{"at_m", "15, 40, 12"}, {"at_sigma_m", "2"}}));
+  Go(900.0, [&] { Say(0, (p_W_ - said - off).norm() + noise_.Normal(0.3)); });
+  ExpectHonest(2.5);
+  const auto errors = navigator_->aiding().ErrorsOf(0);
+  ASSERT_TRUE(errors);
+  for (const int axis : {0, 1}) {
+    EXPECT_NEAR(errors->value(axis), off(axis), 3.0 * errors->sd(axis));
+  }
+}
+
+TEST_F(SourcesTest, FixesThatAreAllOffByTheSameMoveNobodyForSure) {
+  const Eigen::Vector3d off(-2.5, 2.0, 0.0);
+  Hear(Made("acoustic_fix", {{"sigma_m", "0.8"}, {"constant_sigma_m", "2"}}));
+  Go(900.0, [&] { SayFix(p_W_ + off); });
+  ExpectHonest(1.0);
+  const auto errors = navigator_->aiding().ErrorsOf(0);
+  ASSERT_TRUE(errors);
+  EXPECT_NEAR(errors->value.x(), off.x(), 3.0 * errors->sd.x());
+  EXPECT_LT(errors->sd.x(), 1.0) << "where it dived the receiver knew";
 }
 
 TEST_F(SourcesTest, ACompassHoldsAHeadingThatDriftsAndItsDeviationIsFound) {
