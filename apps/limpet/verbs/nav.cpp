@@ -39,9 +39,10 @@ Command NavForm() {
       .words = "<stream folder | FILE.rawlog | recording of another vehicle>",
       .about =
           "Runs the estimator alone on a recorded sensor stream (a folder with meta.csv and "
-          "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, smoothed.csv, states.csv "
-          "(current and speed through the water), landmarks.csv, landmarks_covariance.csv, "
-          "associations.csv and timing.json into DIR. Of a log of MOOS it makes a track from "
+          "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, online_covariance.csv "
+          "(of its places), smoothed.csv, states.csv (current and speed through the water, what "
+          "sensors are off by), landmarks.csv, landmarks_covariance.csv, associations.csv and "
+          "timing.json into DIR. Of a log of MOOS it makes a track from "
           "NAV_HEADING, NAV_SPEED and NAV_DEPTH and compares it with NAV_X and NAV_Y. With --check "
           "it estimates nothing, but says what a recording holds, what of it agrees and what "
           "lacks; topics of ROS (as `rostopic echo -p` writes them) can be checked only.",
@@ -269,6 +270,8 @@ bool WriteResults(const Arguments& given, const ReplayResult& result, const Form
   fs::create_directories(out, error);
   const bool is_written =
       Write(out / "online.csv", PosesCsv(result.online)) &&
+      Write(out / "online_covariance.csv",
+            PlaceCovariancesCsv(result.online, result.online_covariance_W)) &&
       Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
       Write(out / "states.csv", StatesCsv(result.states)) &&
       Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include "limpet/core/require.hpp"
+
 namespace limpet {
 
 std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
@@ -15,6 +17,18 @@ std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
     const Pose& X = pose.X_WB;
     text += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}\n", pose.t, X.p_WB.x(),
                         X.p_WB.y(), X.p_WB.z(), X.roll, X.pitch, X.yaw);
+  }
+  return text;
+}
+
+std::string PlaceCovariancesCsv(const std::vector<SmoothedPose>& poses,
+                                const std::vector<Eigen::Matrix3d>& covariances_W) {
+  LIMPET_REQUIRE(poses.size() == covariances_W.size(), "a covariance of each pose");
+  std::string text = "t,xx,xy,xz,yy,yz,zz\n";
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Matrix3d& C = covariances_W[i];
+    text += fmt::format("{:.3f},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g}\n", poses[i].t, C(0, 0),
+                        C(0, 1), C(0, 2), C(1, 1), C(1, 2), C(2, 2));
   }
   return text;
 }

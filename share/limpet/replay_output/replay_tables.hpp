@@ -11,6 +11,10 @@ namespace limpet {
 
 /// `t,x,y,z,roll,pitch,yaw` [s, m, rad], NED.
 [[nodiscard]] std::string PosesCsv(const std::vector<SmoothedPose>& poses);
+/// `t,xx,xy,xz,yy,yz,zz` [s, m^2], NED: how surely each place of `poses` was known. REQUIRES: as
+/// many covariances.
+[[nodiscard]] std::string PlaceCovariancesCsv(const std::vector<SmoothedPose>& poses,
+                                              const std::vector<Eigen::Matrix3d>& covariances_W);
 /// `t,state,value,sd` [s; m/s, rad, m, s]: what is estimated beside pose and objects, at each time.
 [[nodiscard]] std::string StatesCsv(const std::vector<TimedStates>& all);
 /// `landmark,former`: -1 for one that no earlier session knew.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -77,6 +79,18 @@ TEST_F(NavVerbTest, SaysWhatItDoesNotKnow) {
   ASSERT_EQ(Run({blind.path().string(), "--out", (blind.path() / "out").string()}), kOk);
   EXPECT_THAT(output_, HasSubstr("no GPS fix was used: places count from the start"));
   EXPECT_THAT(output_, HasSubstr("the place was known to no better than 5 m"));
+}
+
+TEST_F(NavVerbTest, WritesHowSurelyEachPlaceWasKnown) {
+  ASSERT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
+  const std::string online = Text("online.csv"), covariances = Text("online_covariance.csv");
+  EXPECT_THAT(covariances, ::testing::StartsWith("t,xx,xy,xz,yy,yz,zz\n"));
+  EXPECT_EQ(std::ranges::count(online, '\n'), std::ranges::count(covariances, '\n'));
+  const std::size_t last = covariances.rfind('\n', covariances.size() - 2) + 1;
+  double t = 0.0, xx = 0.0;
+  ASSERT_EQ(std::sscanf(covariances.c_str() + last, "%lf,%lf", &t, &xx), 2);
+  EXPECT_GT(xx, 1e-4) << "no fix is that good";
+  EXPECT_LT(xx, 4.0);
 }
 
 TEST_F(NavVerbTest, WritesCurrentAndSpeedThroughTheWaterWithTheirSigmas) {
