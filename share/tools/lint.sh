@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What a compiler of another make and clang-tidy say of the code. Every file is read by Clang on its own, so that an
-# #include which a neighbour in a unity build, or another compiler's headers, would hide is missing here; every file is
-# held to .clang-tidy, eight at a time, since most of the time goes into the headers of others.
+# What a compiler of another make and clang-tidy say of the code. Clang reads every file on its own, so that an #include
+# which a neighbour in a unity build, or another compiler's headers, would hide is missing here, and clang-tidy holds it
+# to .clang-tidy in the same go.
 # What was clean stays so until a file that it reads changes: ~/.cache/limpet/lint knows. The newest files come first;
 # with LIMPET_LINT_SECONDS nothing is begun after so many, and what is left for another time is counted and said.
 set -euo pipefail
@@ -10,16 +10,16 @@ root=$PWD
 clean="${XDG_CACHE_HOME:-$HOME/.cache}/limpet/lint"
 findings="$root/build-lint/findings"
 deadline=$((EPOCHSECONDS + ${LIMPET_LINT_SECONDS:-1000000}))
-export root clean findings deadline
+commands="$root/build-lint/alone"
+plugin="$root/build-lint/own_code.so"
+export root clean findings deadline commands plugin
 
-prepare() { # folder cmake-argument...: compile commands and precompiled headers, by Clang
-  local folder="$root/$1" targets=(limpet_precompiled)
-  shift
-  cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++-14 \
-    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >"$folder.log" 2>&1 || { cat "$folder.log" >&2; return 1; }
-  rm -f "$folder.log"
-  case " $* " in *BUILD_TESTING=ON*) targets+=(limpet_precompiled_tests) ;; esac
-  ninja -C "$folder" --quiet "${targets[@]}"
+prepare() { # compile commands and precompiled headers, by Clang, and the plugin
+  cmake -S "$root" -B "$commands" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++-14 \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBUILD_TESTING=ON >"$commands.log" 2>&1 || { cat "$commands.log" >&2; return 1; }
+  rm -f "$commands.log"
+  ninja -C "$commands" --quiet limpet_precompiled limpet_precompiled_tests
+  clang++-14 -std=c++17 -O1 -fno-rtti -fPIC -shared -I/usr/lib/llvm-14/include share/tools/own_code.cpp -o "$plugin"
 }
 
 newest_first() { # compile commands: those of files that changed last come first
@@ -30,33 +30,13 @@ newest_first() { # compile commands: those of files that changed last come first
       printf "%d\t%s\n", file in rank ? rank[file] : n + 1, $0 }' build-lint/newest - | sort -n | cut -f 2-
 }
 
-tests_last() { # compile commands: what time is left when the product has been looked at goes to its tests
-  awk -v of_tests="$root/build-lint/unity/tests/" '{ printf "%d\t%s\n", (index($0, of_tests) > 0), $0 }' |
-    sort -s -n -k 1,1 | cut -f 2-
-}
-
-commands() { # folder: one compile command per line, as a shell reads it; not those of the precompiled headers
-  sed -n 's/^ *"command": "\(.*\)",$/\1/p' "$1/compile_commands.json" | grep -v ' -c [^ ]*precompiled[^ ]*$' |
+compile_commands() { # one per line, as a shell reads it; not those of the precompiled headers
+  sed -n 's/^ *"command": "\(.*\)",$/\1/p' "$commands/compile_commands.json" | grep -v ' -c [^ ]*precompiled[^ ]*$' |
     sed 's/\\\(["\\]\)/\1/g'
 }
 
-once() { # key check argument...: runs the check unless what has this key was clean, or the time is over
-  local key="$clean/$1"
-  shift
-  [ ! -e "$key" ] || return 0
-  if [ "$EPOCHSECONDS" -ge "$deadline" ]; then echo left >>"$findings"; return 0; fi
-  if "$@"; then : >"$key"; else echo bad >>"$findings"; fi
-}
-
-syntax() { eval "${1/ -o * -c / -fsyntax-only }"; } # compile command: only the front end, which finds all there is
-
 texts_of() { # compile command: all files of ours that it reads, one after the other
   eval "${1/ -o * -c / -MM }" | tr -s ' \\' '\n' | grep "^$root/" | grep -v "^$root/build" | sort -u | xargs cat
-}
-
-read_alone() { # compile command
-  if [ "$EPOCHSECONDS" -ge "$deadline" ]; then echo left >>"$findings"; return 0; fi
-  once "$( (echo "$1" && texts_of "$1") | sha256sum | cut -d ' ' -f 1)" syntax "$1"
 }
 
 # Not of tests: fixtures are made and destroyed by googletest alone; a test sets its environment before it has threads;
@@ -67,32 +47,29 @@ fixtures+=,-concurrency-mt-unsafe,-cppcoreguidelines-special-member-functions
 fixtures+=,-cppcoreguidelines-virtual-class-destructor,-misc-misleading-bidirectional,-misc-redundant-expression
 fixtures+=,-modernize-use-equals-delete,-modernize-use-nodiscard,-performance-*
 
-run_tidy() { # file; two of a batch may call the same thing by the same name, alone each is read with -Wshadow
+tidy() { # file
   local checks=()
-  case "$1" in "$root"/build-lint/unity/tests/*) checks=(--checks="$fixtures") ;; esac
-  clang-tidy-14 -p "$root/build-lint/unity" --quiet --config-file="$root/.clang-tidy" --extra-arg=-Wno-shadow \
-    "${checks[@]}" "$1" 2>/dev/null
+  case "$1" in "$root"/tests/*) checks=(--checks="$fixtures") ;; esac
+  clang-tidy-14 --load="$plugin" -p "$commands" --quiet --config-file="$root/.clang-tidy" "${checks[@]}" "$1" 2>&1 |
+    sed '/warnings\{0,1\}.* generated\.$/d'
 }
 
-tidy() { # compile command of a batch
-  local batch="${1##* -c }"
+look_at() { # compile command: unless what it reads was clean, or the time is over
+  local key file="${1##* -c }"
   if [ "$EPOCHSECONDS" -ge "$deadline" ]; then echo left >>"$findings"; return 0; fi
-  once "$( (cat "$root/.clang-tidy" "$batch" && texts_of "$1") | sha256sum | cut -d ' ' -f 1)" run_tidy "$batch"
+  key="$clean/$( (echo "$1" && cat "$root/.clang-tidy" "$root/share/tools/own_code.cpp" && texts_of "$1") |
+    sha256sum | cut -d ' ' -f 1)"
+  [ ! -e "$key" ] || return 0
+  if tidy "$file"; then : >"$key"; else echo bad >>"$findings"; fi
 }
 export fixtures
-export -f texts_of once syntax read_alone run_tidy tidy
-
-each() { # check: of every compile command that comes in, on all cores
-  tr '\n' '\0' | xargs -0 -r -P "$(nproc)" -n 1 bash -c "$1"' "$1"' -
-}
+export -f texts_of tidy look_at
 
 mkdir -p build-lint "$clean"
 find "$clean" -type f -mtime +30 -delete
 : >"$findings"
-prepare build-lint/alone -DBUILD_TESTING=ON
-commands build-lint/alone | newest_first | each read_alone
-prepare build-lint/unity -DBUILD_TESTING=ON -DCMAKE_UNITY_BUILD=ON
-commands build-lint/unity | tests_last | each tidy
+prepare
+compile_commands | newest_first | tr '\n' '\0' | xargs -0 -r -P "$(nproc)" -n 1 bash -o pipefail -c 'look_at "$1"' -
 left="$(grep -c left "$findings" || true)"
-[ "$left" -eq 0 ] || echo "lint: $left files or batches left for another time" >&2
+[ "$left" -eq 0 ] || echo "lint: $left files left for another time" >&2
 ! grep -q bad "$findings"
