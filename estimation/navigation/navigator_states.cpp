@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "estimation/navigation/aiding_sources.hpp"
 #include "estimation/navigation/navigator.hpp"
 
 namespace limpet {

@@ -71,7 +71,7 @@ class MetaLine {
     Refuse(fmt::format("{}", value), "greater than 0");
   }
   [[nodiscard]] Eigen::Vector3d Arm() const {
-    const Eigen::Vector3d arm_B(Number(1), Number(2), Number(3));
+    Eigen::Vector3d arm_B(Number(1), Number(2), Number(3));
     if (arm_B.norm() <= kLongestArm) return arm_B;
     Refuse(Written(arm_B),
            fmt::format("up to {:g} m from the body's origin, in metres", kLongestArm));

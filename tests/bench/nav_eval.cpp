@@ -139,9 +139,10 @@ Interval IntervalOf(const std::string& text) {
 
 void PrintDropout(const Evaluation& e, const Interval& silent, const StreamTruth& truth) {
   Consistency objects;
-  for (const Landmark& landmark : e.result.landmarks)
+  for (const Landmark& landmark : e.result.landmarks) {
     objects.Add(landmark.object.p_W - TruthOf(landmark.object.p_W, e.smoothed.alignment, truth),
                 landmark.object.cov_W);
+  }
   fmt::print("{} silent {:.0f}..{:.0f} s: NEES of landmarks {:.2f}\n", e.name, silent.low,
              silent.high, objects.mean());
   for (const double t : {silent.middle(), silent.high, silent.high + 30.0}) {

@@ -16,7 +16,6 @@ namespace {
 
 constexpr const char* kName = "expect";
 
-using internal::TextOfNode;
 using internal::YamlReader;
 
 /// `{min: a, max: b}`, one of them or both.

@@ -222,13 +222,13 @@ PartOfMission LoadWithoutMissingIncludes(const fs::path& file) {
       const ConfigProblem problem = error.problems().front();
       const bool is_missing = IsMissingInclude(problem) && problem.where.file == file.string();
       const std::string rest = is_missing ? WithoutLine(text, problem.where.line) : text;
-      if (rest.size() == text.size()) throw first.value_or(error);
+      if (rest.size() == text.size()) throw ConfigError(first.value_or(error));
       if (!first) first = error;
       text = rest;
       part.missing.push_back(problem);
     }
   }
-  if (first && !IsOthersAlone(part.mission)) throw *first;
+  if (first && !IsOthersAlone(part.mission)) throw ConfigError(*first);
   return part;
 }
 

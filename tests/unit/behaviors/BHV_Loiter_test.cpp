@@ -12,7 +12,6 @@
 namespace limpet {
 namespace {
 
-using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 

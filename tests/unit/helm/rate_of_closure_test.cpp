@@ -2,12 +2,10 @@
 #include "limpet/helm/rate_of_closure.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "limpet/core/frames.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {

@@ -234,9 +234,10 @@ std::vector<std::string> TwoSeconds() {
     lines.push_back(fmt::format("DVL,{:.1f},0,,,,,,,,,,\n", 0.1 * i));
     if (i % 10 != 0) continue;
     lines.push_back(fmt::format("FRM,{0:.1f},{0:.1f},{1},2\n", 0.1 * i, i));
-    for (int box = 0; box < 2; ++box)
+    for (int box = 0; box < 2; ++box) {
       lines.push_back(
           fmt::format("DET,{0:.1f},{0:.1f},{1},{2},300,200,80,80,0.9,1\n", 0.1 * i, i, box));
+    }
   }
   return lines;
 }

@@ -9,7 +9,6 @@
 namespace limpet {
 namespace {
 
-using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
