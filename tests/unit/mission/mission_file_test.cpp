@@ -13,7 +13,6 @@
 namespace limpet {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::string MissionErrorsOf(const std::string& text) {
