@@ -26,7 +26,7 @@ const WarningId kOutsideRegion = DeclareWarning(
      .action =
          "Watch it come back; if it does not, stop it with MOOS_MANUAL_OVERRIDE and it floats "
          "up.",
-     .clears = "Once it is inside again, or on its way home."});
+     .clears = "Once it is inside again, or on its way home in no zone."});
 
 const WarningId kRegionInDoubt = DeclareWarning(
     "REGION_IN_DOUBT",
@@ -75,10 +75,9 @@ void BHV_OpRegion::Start(const VehicleState& state) {
   lead_to_.reset();
 }
 
-bool BHV_OpRegion::IsInDoubt(const VehicleState& state) {
+bool BHV_OpRegion::IsInDoubt(const VehicleState& state, double clearance) {
   constexpr double kClear = 0.5;  // [m] beyond them it is sure again
   const double sigmas = FenceAllowance::kSigmas * std::max(state.nav.sd_north, state.nav.sd_east);
-  const double clearance = region_->Clearance({state.nav.north, state.nav.east});
   // Nobody may have said how sure the place is.
   is_in_doubt_ = sigmas > 0.0 && clearance < sigmas + (is_in_doubt_ ? kClear : 0.0);
   return is_in_doubt_;
@@ -97,17 +96,27 @@ void BHV_OpRegion::MoveInArea(const VehicleState& state, MotionBid& bid) {
     lead_to_.reset();
   }
   const Pose2 here{.north = state.nav.north, .east = state.nav.east, .yaw = state.nav.yaw};
-  const double outside = region_->Outside(here);
-  has_entered_ = has_entered_ || outside <= 0.0;
+  has_entered_ = has_entered_ || region_->Outside(here) <= 0.0;
   const bool is_going_home = state.guidance && state.guidance->purpose == kHomeSource;
-  if (!has_entered_ || is_going_home) return;
-  if (outside > params_.tolerance.value()) {
-    bid.warning = BehaviorWarning{kOutsideRegion, "the vehicle is outside its operating region"};
-  } else if (IsInDoubt(state)) {
+  // The ways in and home may be outside the region, and are in no zone.
+  const bool is_within = has_entered_ && !is_going_home;
+  WarnOfBorders(state, is_within, bid);
+  if (is_within) LeadInside(state, region_->Outside(here), bid);
+}
+
+void BHV_OpRegion::WarnOfBorders(const VehicleState& state, bool is_within, MotionBid& bid) {
+  const PlanePoint place(state.nav.north, state.nav.east);
+  const double clearance = is_within ? region_->Clearance(place) : region_->ZoneClearance(place);
+  if (-clearance > params_.tolerance.value()) {
+    bid.warning =
+        BehaviorWarning{kOutsideRegion, is_within ? "the vehicle is outside its operating region"
+                                                  : "the vehicle is in a keep-out zone"};
+  } else if (IsInDoubt(state, clearance)) {
     bid.warning = BehaviorWarning{
-        kRegionInDoubt, "three sigmas of the vehicle's place reach over a border of its region"};
+        kRegionInDoubt,
+        is_within ? "three sigmas of the vehicle's place reach over a border of its region"
+                  : "three sigmas of the vehicle's place reach into a keep-out zone"};
   }
-  LeadInside(state, outside, bid);
 }
 
 void BHV_OpRegion::LeadInside(const VehicleState& state, double outside, MotionBid& bid) {

@@ -46,11 +46,13 @@ class BHV_OpRegion final : public Behavior {
                                          const Situation& now) const override;
 
  private:
-  /// Whether three sigmas of the vehicle's place reach over a border.
-  [[nodiscard]] bool IsInDoubt(const VehicleState& state);
+  /// Whether three sigmas of the vehicle's place reach over a border that is `clearance` [m] off.
+  [[nodiscard]] bool IsInDoubt(const VehicleState& state, double clearance);
 
   /// What it says of a survey's area; leaves the limits out.
   void MoveInArea(const VehicleState& state, MotionBid& bid);
+  /// Says what the vehicle is beyond, or may be; of zones alone unless it `is_within` the region.
+  void WarnOfBorders(const VehicleState& state, bool is_within, MotionBid& bid);
   /// A course farther inside for a vehicle without a path, `outside` [m] of the region.
   void LeadInside(const VehicleState& state, double outside, MotionBid& bid);
 

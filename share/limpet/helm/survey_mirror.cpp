@@ -50,13 +50,13 @@ bool SurveyMirror::SetArea(const SurveyArea& area) {
   blocks_.emplace(*grid_, FootprintNow());
   MirrorGround();
   fences_.emplace(area, params_.tracking_allowance, params_.turning_radius);
-  KeepOffFences(params_.tracking_allowance);
+  KeepOffFences({.border = params_.tracking_allowance, .zones = params_.tracking_allowance});
   return true;
 }
 
-void SurveyMirror::KeepOffFences(Meters allowance) {
-  allowance_ = allowance;
-  region_ = std::make_unique<Region>(*area_, allowance,
+void SurveyMirror::KeepOffFences(const KeptOff& kept_off) {
+  kept_off_ = kept_off;
+  region_ = std::make_unique<Region>(*area_, kept_off,
                                      FencesAround(obstacles_, params_.obstacle_clearance));
 }
 
@@ -64,7 +64,7 @@ bool SurveyMirror::SetObstacles(const std::vector<Obstacle>& obstacles) {
   if (obstacles_ == obstacles) return false;
   obstacles_ = obstacles;
   if (!area_) return true;
-  KeepOffFences(allowance_);
+  KeepOffFences(kept_off_);
   LeaveOutStandingGround();
   return true;
 }
@@ -86,10 +86,9 @@ void SurveyMirror::UpdateGround(double travelled) {
   while (blocks_->GoOn(*ground_, {place_.north, place_.east}, travelled)) {
     MirrorGround();
   }
-  const Meters allowance = fences_->For(place_, place_sigma_, allowance_);
-  if (allowance != allowance_) {
-    KeepOffFences(allowance);
-  }
+  const Meters sight(ground_->footprint().half_across(Footprint::kLayers - 1));
+  const KeptOff kept_off = fences_->For(place_, place_sigma_, kept_off_, sight);
+  if (kept_off != kept_off_) KeepOffFences(kept_off);
 }
 
 // Such a plan waits at the way on to the next block: it would, for ever.

@@ -75,7 +75,7 @@ class SurveyMirror {
  private:
   [[nodiscard]] Footprint FootprintNow() const;
   void MirrorGround();
-  void KeepOffFences(Meters allowance);
+  void KeepOffFences(const KeptOff& kept_off);
   /// What obstacles stand on is not to be seen.
   void LeaveOutStandingGround();
 
@@ -91,7 +91,7 @@ class SurveyMirror {
   std::unique_ptr<Region> region_;
   std::vector<Obstacle> obstacles_;
   std::optional<FenceAllowance> fences_;  ///< of the area
-  Meters allowance_{0.0};                 ///< of region_
+  KeptOff kept_off_;                      ///< by region_
   Pose2 place_{};                         ///< of the vehicle
   Meters place_sigma_{0.0};
   std::optional<HomePoint> home_;

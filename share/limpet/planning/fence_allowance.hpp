@@ -11,8 +11,10 @@ namespace limpet {
 /// How far paths keep inside the operating region and off the keep-out zones: for the pilot's
 /// error, and for three sigmas of the vehicle's place. As far as there is room: no allowance takes
 /// ground of the area away from the region, takes more than a seventh of the room to turn (a
-/// passage that closes takes all behind it), or leaves the vehicle no turn from where it is. Where
-/// sigmas want more, BHV_OpRegion says so.
+/// passage that closes takes all behind it), or leaves the vehicle no turn from where it is. Of
+/// keep-out zones paths keep as far off as no passage closes and their ground stays in sight: a few
+/// small ones take much room without being in the way. Where sigmas want more, BHV_OpRegion says
+/// so.
 class FenceAllowance {
  public:
   /// An allowance is a multiple of this more than `tracking` [m], so that it changes seldom.
@@ -24,17 +26,29 @@ class FenceAllowance {
   FenceAllowance(const SurveyArea& area, Meters tracking, Meters turn_radius);
 
   /// For a vehicle at `here` that knows its place with this 1-sigma, where `held` is kept so far.
-  /// Where sigmas get less, it falls once it can by two steps.
-  [[nodiscard]] Meters For(const Pose2& here, Meters place_sigma, Meters held) const;
-  [[nodiscard]] Meters most() const { return tracking_ + Meters(kStep * steps_); }
+  /// Where sigmas get less, it falls once it can by two steps. From farther off than `sight` the
+  /// ground along a zone is not seen.
+  [[nodiscard]] KeptOff For(const Pose2& here, Meters place_sigma, const KeptOff& held,
+                            Meters sight) const;
+  [[nodiscard]] KeptOff most() const { return {.border = At(steps_), .zones = At(zone_steps_)}; }
 
  private:
-  /// So many steps leave a full turn to port or starboard from `here` inside.
-  [[nodiscard]] int StepsFrom(const Pose2& here) const;
+  [[nodiscard]] Meters At(double steps) const { return tracking_ + Meters(kStep * steps); }
+  void FindSteps();
+  void FindZoneSteps(const SurveyArea& area);
+  struct Slack {
+    double border = 0.0, zones = 0.0;  ///< [m]
+  };
+  /// By so much borders and zones may be kept off farther until no full turn from `here`, to the
+  /// side with more room, stays inside.
+  [[nodiscard]] Slack SlackFrom(const Pose2& here) const;
+  /// Of `possible` steps what a sigma wants, where `held` is kept.
+  [[nodiscard]] Meters Kept(Meters place_sigma, Meters held, double possible) const;
 
   Meters tracking_, turn_radius_;
-  Region region_;  ///< with the pilot's allowance alone
-  int steps_ = 0;  ///< for which there is room
+  Region region_;       ///< with the pilot's allowance alone
+  int steps_ = 0;       ///< for which there is room
+  int zone_steps_ = 0;  ///< ... off zones; no fewer
 };
 
 }  // namespace limpet

@@ -45,8 +45,11 @@ std::size_t MarkOf(const std::vector<Fence>& obstacles) {
 }  // namespace
 
 Region::Region(const SurveyArea& area, Meters allowance, std::vector<Fence> obstacles)
+    : Region(area, KeptOff{.border = allowance, .zones = allowance}, std::move(obstacles)) {}
+
+Region::Region(const SurveyArea& area, const KeptOff& kept_off, std::vector<Fence> obstacles)
     : obstacle_mark_(MarkOf(obstacles)) {
-  const double margin = std::max(0.0, area.margin - allowance.value());
+  const double margin = std::max(0.0, area.margin - kept_off.border.value());
   north_min_ = area.north_min - margin;
   north_max_ = area.north_max + margin;
   east_min_ = area.east_min - margin;
@@ -55,10 +58,10 @@ Region::Region(const SurveyArea& area, Meters allowance, std::vector<Fence> obst
   LIMPET_REQUIRE(shape.has_value(), "a region is made of an area that has been looked at");
   if (shape->is_plain() && obstacles.empty()) return;
   transit_ = shape->transit();
-  std::vector<Fence> fences = ZoneFences(*shape, allowance);
+  std::vector<Fence> fences = ZoneFences(*shape, kept_off.zones);
   std::ranges::move(obstacles, std::back_inserter(fences));
   if (!fences.empty()) zones_ = std::make_shared<const FreeSpace>(fences);
-  fences.insert(fences.begin(), HoldingFence(*shape, Meters(margin), allowance));
+  fences.insert(fences.begin(), HoldingFence(*shape, Meters(margin), kept_off.border));
   free_ = std::make_shared<const FreeSpace>(std::move(fences));
   north_min_ = free_->low().x();
   north_max_ = free_->high().x();
@@ -148,6 +151,10 @@ double Region::Clearance(const PlanePoint& at) const {
   const double inside =
       std::min({at.x() - north_min_, north_max_ - at.x(), at.y() - east_min_, east_max_ - at.y()});
   return inside >= 0.0 ? inside : -Outside({.north = at.x(), .east = at.y(), .yaw = 0.0});
+}
+
+double Region::ZoneClearance(const PlanePoint& at) const {
+  return zones_ ? zones_->Clearance(at) : std::numeric_limits<double>::infinity();
 }
 
 double Region::Outside(const Pose2& pose) const {

@@ -12,6 +12,13 @@
 
 namespace limpet {
 
+/// How far paths keep inside the operating region and off its keep-out zones.
+struct KeptOff {
+  Meters border{0.0};
+  Meters zones{0.0};
+  friend bool operator==(const KeptOff&, const KeptOff&) = default;
+};
+
 /// The operating region: the survey area and the margin around it, or the region that the area
 /// names, less its keep-out zones and the obstacles found. The vehicle never leaves it.
 class Region {
@@ -20,6 +27,7 @@ class Region {
   /// Smaller all around by `allowance`, as far as there is a margin. REQUIRES: no ProblemOf(area).
   /// `obstacles` are fences to keep out of, as far off as they say.
   Region(const SurveyArea& area, Meters allowance, std::vector<Fence> obstacles = {});
+  Region(const SurveyArea& area, const KeptOff& kept_off, std::vector<Fence> obstacles);
 
   [[nodiscard]] bool Contains(double north, double east) const;
   [[nodiscard]] bool Contains(const Pose2& pose) const { return Contains(pose.north, pose.east); }
@@ -37,6 +45,8 @@ class Region {
   [[nodiscard]] bool Allows(const Pose2& from, const PathSegment& segment, Meters radius) const;
   /// How far a place is from the nearest border of region or zone [m]; negative outside.
   [[nodiscard]] double Clearance(const PlanePoint& at) const;
+  /// The same of zones and obstacles alone; infinite without any.
+  [[nodiscard]] double ZoneClearance(const PlanePoint& at) const;
   /// How far `pose` is outside [m], 0 inside.
   [[nodiscard]] double Outside(const Pose2& pose) const;
   /// Whether `path` enters a keep-out zone or an obstacle; the region's own border is not asked

@@ -159,7 +159,40 @@ std::vector<std::uint8_t> LargestPiece(const FreeSpace::Raster& raster,
   return mark;
 }
 
+/// Marks what is no farther than `cells` from a mark, along columns if `stride` is a row's length.
+std::vector<std::uint8_t> Spread(const std::vector<std::uint8_t>& mark, std::size_t stride,
+                                 std::size_t line, int cells) {
+  std::vector<std::uint8_t> spread(mark.size(), 0);
+  for (std::size_t cell = 0; cell < mark.size(); ++cell) {
+    if (mark[cell] == 0) continue;
+    const auto at = static_cast<int>(cell / stride % line);
+    const int low = std::max(-cells, -at), high = std::min(cells, static_cast<int>(line) - 1 - at);
+    for (int off = low; off <= high; ++off) {
+      spread[cell + static_cast<std::size_t>(off) * stride] = 1;
+    }
+  }
+  return spread;
+}
+
 }  // namespace
+
+double RoomInReach(const FreeSpace& space, const FreeSpace& smaller, Meters radius, Meters reach) {
+  const FreeSpace::Raster& raster = smaller.raster();
+  const auto columns = static_cast<std::size_t>(raster.columns);
+  const auto rows = static_cast<std::size_t>(raster.rows);
+  const int cells = static_cast<int>(reach.value() / raster.cell_m) + 1;
+  std::vector<std::uint8_t> near = RoomToTurn(smaller, radius.value());
+  near = Spread(Spread(near, 1, columns, cells), columns, rows, cells);
+  const std::vector<std::uint8_t> all = RoomToTurn(space, radius.value());
+  double count = 0.0, reached = 0.0;
+  for (std::size_t cell = 0; cell < all.size(); ++cell) {
+    if (all[cell] == 0) continue;
+    count += 1.0;
+    const auto at = raster.At(space.raster().Center(cell));
+    reached += at && near[*at] != 0 ? 1.0 : 0.0;
+  }
+  return count > 0.0 ? reached / count : 0.0;
+}
 
 std::vector<std::uint8_t> RoomToTurn(const FreeSpace& space, double radius) {
   std::vector<std::size_t> all(space.raster().clearance.size());

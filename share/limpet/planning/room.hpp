@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "limpet/core/units.hpp"
 #include "limpet/planning/free_space.hpp"
 
 namespace limpet {
@@ -24,6 +25,12 @@ namespace limpet {
 /// The place of the former room that is nearest to `from`; nothing if there is none.
 [[nodiscard]] std::optional<PlanePoint> NearestRoom(const FreeSpace& space, const PlanePoint& from,
                                                     double radius);
+
+/// Of the room to turn in `space` the share from which that in `smaller`, a part of it, is no
+/// farther than `reach` and a cell, along the farther axis: not what its fences, nearer by `reach`,
+/// cut off or close.
+[[nodiscard]] double RoomInReach(const FreeSpace& space, const FreeSpace& smaller, Meters radius,
+                                 Meters reach);
 
 /// Straight legs from `from` to `to` that stay inside, about as short as can be, but a metre off
 /// all fences where that is possible: the places where they meet and `to`. Nothing if one of the

@@ -116,6 +116,7 @@ OrderedJson SettingsJson(const ReportSettings& settings) {
           {"lever_arm_m", {camera.p_BC.x(), camera.p_BC.y(), camera.p_BC.z()}},
           {"tilt_rad", std::atan2(camera.R_BC(0, 2), camera.R_BC(2, 2))},
           {"altitude_m", settings.altitude_m},
+          {"highest_view_m", settings.highest_view_m},
           {"frame_rate_hz", settings.frame_rate_hz},
           {"object_radius_m", settings.object_radius_m},
           {"object_height_max_m", settings.object_height_max_m},
@@ -155,6 +156,7 @@ ReportSettings SettingsFrom(const OrderedJson& in) {
   settings.object_radius_m = in.at("object_radius_m");
   settings.object_height_max_m = in.at("object_height_max_m");
   // None in a run of an older version.
+  settings.highest_view_m = in.value("highest_view_m", settings.highest_view_m);
   settings.turning_radius_m = in.value("turning_radius_m", settings.turning_radius_m);
   settings.command = in.at("command");
   settings.sessions = SessionsFrom(in);

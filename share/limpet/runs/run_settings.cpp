@@ -34,6 +34,10 @@ ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) 
   settings.frame_rate_hz =
       ParseNumber(rate != nullptr ? rate->value : "").value_or(CameraTiming{}.rate.value());
   settings.altitude_m = survey.altitude.value();
+  const ConfigBlock* map = mission.Block("pMap");
+  const ConfigEntry* highest = map != nullptr ? map->Find("highest_view_m") : nullptr;
+  settings.highest_view_m =
+      ParseNumber(highest != nullptr ? highest->value : "").value_or(settings.highest_view_m);
   settings.turning_radius_m = helm.views.turning_radius.value();
   settings.object_height_max_m = survey.object_height_max.value();
   settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;

@@ -243,19 +243,37 @@ UnseenScore UnseenOf(const SampleBands& bands, double covered, double detected,
   return unseen;
 }
 
-/// The curve and what it ends with.
+/// The frames of the dive that are taken from where a vehicle maps.
+std::vector<Pose> MappedDive(const SurveyFrames& frames, const Scenario& scenario,
+                             const ReportSettings& settings) {
+  const Seabed bottom(scenario.seabed);
+  std::vector<Pose> mapped;
+  for (const Pose& X_WB : frames.dive_X_WB) {
+    const double depth = bottom.Depth(X_WB.p_WB.x(), X_WB.p_WB.y());
+    if (depth - X_WB.p_WB.z() <= settings.highest_view_m) mapped.push_back(X_WB);
+  }
+  return mapped;
+}
+
+/// The curve, and with the dive what it ends with.
 void ScoreSamples(const SurveyFrames& frames, const SurveyArea& area, const Scenario& scenario,
                   const ReportSettings& settings, CoverageScore& score) {
   SampleBands bands(area, scenario, settings);
   UnseenCounter counter(area, settings);
+  const std::vector<Pose> dive = MappedDive(frames, scenario, settings);
   std::vector<NewlySeenSamples> seen(frames.X_WB.size());
+  NewlySeenSamples by_dive{};
+  const auto see = [&](const Pose& X_WB, NewlySeenSamples& so_far) {
+    const NewlySeenSamples now =
+        bands.See(X_WB, settings.camera_geometry, settings.object_radius_m);
+    so_far.covered += now.covered;
+    so_far.detected += now.detected;
+  };
   while (bands.Next()) {
-    for (std::size_t i = 0; i < frames.X_WB.size(); ++i) {
-      const NewlySeenSamples by_frame =
-          bands.See(frames.X_WB[i], settings.camera_geometry, settings.object_radius_m);
-      seen[i].covered += by_frame.covered;
-      seen[i].detected += by_frame.detected;
-    }
+    for (std::size_t i = 0; i < frames.X_WB.size(); ++i)
+      see(frames.X_WB[i], seen[i]);
+    for (const Pose& X_WB : dive)
+      see(X_WB, by_dive);
     bands.CountUnseen(counter);
   }
   const double points = std::max(1.0, bands.seabed_wanted());
@@ -266,6 +284,7 @@ void ScoreSamples(const SurveyFrames& frames, const SurveyArea& area, const Scen
     score.curve.seabed.push_back(covered / points);
     score.curve.band.push_back(detected / objects);
   }
+  covered += by_dive.covered, detected += by_dive.detected;
   score.covered = covered / points;
   score.detected_band = detected / objects;
   score.unseen = UnseenOf(bands, covered, detected, counter);

@@ -22,7 +22,9 @@ struct CoverageCurve {
   std::vector<double> path_m, time_s, seabed, band;
 };
 
-/// What the camera has truly shown, from the true poses alone.
+/// What the camera has truly shown, from the true poses alone. What the dive has shown from where
+/// the vehicle maps counts at the end; levels and curve are of the survey's own way, as reckoned
+/// lanes are.
 struct CoverageScore {
   std::vector<CoverageLevel> seabed;  ///< 0.90, 0.95, 0.99
   std::vector<CoverageLevel> band;    ///< 0.90, 0.95, 0.99

@@ -21,7 +21,8 @@ struct ReportSettings {
   std::string gain = "full";        ///< or coverage
   std::string camera = "rendered";  ///< or boxes
   CameraModel camera_geometry;
-  double altitude_m = 4.0;  ///< survey altitude, for the footprint
+  double altitude_m = 4.0;      ///< survey altitude, for the footprint
+  double highest_view_m = 6.5;  ///< from higher above the seabed the vehicle does not map
   double frame_rate_hz = 4.0;
   double object_radius_m = 0.5;
   double object_height_max_m = 2.0;

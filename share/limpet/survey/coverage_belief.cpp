@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "limpet/core/require.hpp"
 
@@ -15,7 +16,7 @@ constexpr double kPassGap = 8.0;
 /// Beyond so many sigmas outside the image nothing counts as seen, inside all does.
 constexpr double kFarthestSigmas = 3.0;
 constexpr double kStepsPerBit = 12.0;
-constexpr int kRim = 40;             // [cells] the map's place is not off by more than this counts
+constexpr int kRim = 40;             // [cells] the map's place is not off by more, as this counts
 constexpr double kSigmaStep = 0.05;  // [m] of absolute sigmas, as kept
 constexpr double kSharpest = 1e-3;   // [m] of a sigma that is taken for none
 
@@ -93,23 +94,75 @@ class MarkSums {
       }
     }
   }
-  [[nodiscard]] int In(const CellBox& box) {
+  [[nodiscard]] int In(const CellBox& box) const {
     return At(box.row_max + 1, box.column_max + 1) - At(box.row_min, box.column_max + 1) -
            At(box.row_max + 1, box.column_min) + At(box.row_min, box.column_min);
   }
 
  private:
-  [[nodiscard]] int& At(int row, int column) {
-    return sums_[static_cast<std::size_t>(row - box_.row_min) * stride_ +
-                 static_cast<std::size_t>(column - box_.column_min)];
+  [[nodiscard]] std::size_t IndexOf(int row, int column) const {
+    return static_cast<std::size_t>(row - box_.row_min) * stride_ +
+           static_cast<std::size_t>(column - box_.column_min);
   }
+  [[nodiscard]] int& At(int row, int column) { return sums_[IndexOf(row, column)]; }
+  [[nodiscard]] int At(int row, int column) const { return sums_[IndexOf(row, column)]; }
   CellBox box_;
   std::size_t stride_;
   std::vector<int> sums_;  ///< over all cells south-west of one
 };
 
+/// By how many cells the map is off on one axis, and how likely: five places that agree with a
+/// normal error in its variance, in its mean distance, and in what lies farther than half a sigma
+/// and than one. Those between two cells are shared out to both.
+class PlaceChances {
+ public:
+  explicit PlaceChances(double sigma_cells) {
+    constexpr double kNear = 0.726, kByNear = 0.3164, kFar = 1.97, kByFar = 0.0859;
+    Add(0.0, 1.0 - 2.0 * (kByNear + kByFar));
+    for (const double side : {-1.0, 1.0}) {
+      Add(side * std::min(kNear * sigma_cells, double{kRim}), kByNear);
+      Add(side * std::min(kFar * sigma_cells, double{kRim}), kByFar);
+    }
+  }
+  struct Off {
+    int cells = 0;
+    double chance = 0.0;
+  };
+  [[nodiscard]] std::span<const Off> all() const { return {offs_.data(), count_}; }
+  [[nodiscard]] int farthest() const { return farthest_; }
+
+ private:
+  void Add(double cells, double chance) {
+    const double whole = std::floor(cells);
+    Put(static_cast<int>(whole), chance * (1.0 - (cells - whole)));
+    Put(static_cast<int>(whole) + 1, chance * (cells - whole));
+  }
+  void Put(int cells, double chance) {
+    if (chance == 0.0) return;
+    offs_[count_++] = {.cells = cells, .chance = chance};
+    farthest_ = std::max(farthest_, std::abs(cells));
+  }
+  std::array<Off, 10> offs_{};
+  std::size_t count_ = 0;
+  int farthest_ = 0;
+};
+
 int CellsOf(const CellBox& box) {
   return (box.row_max - box.row_min + 1) * (box.column_max - box.column_min + 1);
+}
+
+/// How far the next cell is that is marked otherwise [cells, along the farther axis]; kRim + 1 if
+/// none within kRim is.
+int ToRim(int row, int column, const MarkSums& marked, const GridFrame& frame) {
+  const CellBox own{.row_min = row, .row_max = row, .column_min = column, .column_max = column};
+  int alike = 0, off = kRim + 1;
+  while (off - alike > 1) {
+    const int middle = (alike + off) / 2;
+    const CellBox around = Wider(own, middle, frame);
+    const int count = marked.In(around);
+    (count == 0 || count == CellsOf(around) ? alike : off) = middle;
+  }
+  return off;
 }
 
 }  // namespace
@@ -195,8 +248,8 @@ void CoverageBelief::Add(const ViewCone& cone, const Eigen::Vector3d& sample_W,
     cell.pass[level] = std::max(cell.pass[level], evidence[level]);
   }
   cell.last = static_cast<float>(since);
-  cell.map_sigma =
-      static_cast<std::uint8_t>(std::clamp(view.sigma.absolute / kSigmaStep, 0.0, 255.0));
+  cell.map_sigma = static_cast<std::uint8_t>(
+      std::clamp(std::round(view.sigma.absolute / kSigmaStep), 0.0, 255.0));
 }
 
 void CoverageBelief::CountAnew() {
@@ -217,42 +270,29 @@ CoverageBelief::Shares CoverageBelief::SeenAt(int row, int column, const Cell& c
 
 double CoverageBelief::EdgeChange(int row, int column, const Cell& cell,
                                   const SurveyGrid& grid) const {
-  // Three places of the map on either axis, alike to a normal error in its variance and in its mean
-  // distance: off by sqrt(pi/2) sigmas to either side with a chance of 1/pi each.
-  constexpr double kOff = std::numbers::inv_pi, kOn = 1.0 - 2.0 * kOff;
-  const double sigma = kSigmaStep * cell.map_sigma;
-  const double steps =
-      std::min(std::sqrt(0.5 * std::numbers::pi) * sigma / frame_.cell_m, double{kRim});
-  const int whole = static_cast<int>(steps);
-  std::array<double, 2> wanted{};  // off by whole cells, and by one more
-  for (int more = 0; more < 2; ++more) {
-    for (int north = -1; north <= 1; ++north) {
-      for (int east = -1; east <= 1; ++east) {
-        const int off = whole + more;
-        const double chance = (north == 0 ? kOn : kOff) * (east == 0 ? kOn : kOff);
-        wanted[static_cast<std::size_t>(more)] +=
-            IsOfArea(row + north * off, column + east * off, grid) ? chance : 0.0;
-      }
+  const PlaceChances chances(kSigmaStep * cell.map_sigma / frame_.cell_m);
+  if (chances.farthest() < cell.to_rim) return 0.0;
+  double wanted = 0.0;
+  for (const auto& [north, by_north] : chances.all()) {
+    for (const auto& [east, by_east] : chances.all()) {
+      if (IsOfArea(row + north, column + east, grid)) wanted += by_north * by_east;
     }
   }
-  return wanted[0] + (steps - whole) * (wanted[1] - wanted[0]) - (cell.is_of_area ? 1.0 : 0.0);
+  return wanted - (cell.is_of_area ? 1.0 : 0.0);
 }
 
-/// Finds out which of a tile's cells are wanted, and which are so near to one that is and to one
-/// that is not that the map's place may make a difference.
+/// Finds out which of a tile's cells are wanted, and how far the map has to be off for each to be
+/// on the other side of an edge.
 void CoverageBelief::Prepare(Tiles::Tile& tile, const SurveyGrid& grid) const {
   const CellBox own{.row_min = tile.row,
                     .row_max = std::min(tile.row + Tiles::kEdge, frame_.rows) - 1,
                     .column_min = tile.column,
                     .column_max = std::min(tile.column + Tiles::kEdge, frame_.columns) - 1};
-  MarkSums wanted(Wider(own, kRim, frame_),
-                  [&](int row, int column) { return IsOfArea(row, column, grid); });
+  const MarkSums wanted(Wider(own, kRim, frame_),
+                        [&](int row, int column) { return IsOfArea(row, column, grid); });
   cells_.EachCell(tile, [&](int row, int column, Cell& cell) {
-    const CellBox around = Wider(
-        {.row_min = row, .row_max = row, .column_min = column, .column_max = column}, kRim, frame_);
-    const int near = wanted.In(around);
     cell.is_of_area = IsOfArea(row, column, grid);
-    cell.is_rim = near > 0 && near < CellsOf(around);
+    cell.to_rim = static_cast<std::uint8_t>(ToRim(row, column, wanted, frame_));
   });
   tile.note.is_prepared = true;
 }
@@ -262,8 +302,7 @@ void CoverageBelief::Count(Tiles::Tile& tile, const SurveyGrid& grid) const {
   Shares sum{};
   cells_.EachCell(tile, [&](int row, int column, const Cell& cell) {
     if (cell.last < 0.0F || IsStoodOn(row, column, grid)) return;
-    const double weight =
-        (cell.is_of_area ? 1.0 : 0.0) + (cell.is_rim ? EdgeChange(row, column, cell, grid) : 0.0);
+    const double weight = (cell.is_of_area ? 1.0 : 0.0) + EdgeChange(row, column, cell, grid);
     if (weight == 0.0) return;
     const Shares seen = SeenAt(row, column, cell, grid);
     for (std::size_t level = 0; level < kLevels; ++level) {

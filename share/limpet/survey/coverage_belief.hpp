@@ -63,7 +63,7 @@ class CoverageBelief {
     float last = -1.0F;          ///< when that one last saw it, since the first image [s]
     std::uint8_t map_sigma = 0;  ///< absolute, of the latest image [steps of 5 cm]
     bool is_of_area = false;     ///< this and the next one are known once the tile is prepared
-    bool is_rim = false;         ///< near enough to an edge to be on its other side
+    std::uint8_t to_rim = 0;     ///< the next cell on an edge's other side is so far off [cells]
   };
   /// What a tile's cells add to the expectation, as last counted.
   struct Counted {

@@ -172,6 +172,23 @@ TEST(BhvOpRegion, IsInNoDoubtOnTheWayHome) {
   EXPECT_FALSE(behavior.Move(state).warning);
 }
 
+TEST(BhvOpRegion, SaysOnTheWayHomeAndOnTheWayInWhereItMayBeInAZone) {
+  for (const char* purpose : {"home", "transit"}) {
+    BHV_OpRegion behavior({});
+    VehicleState state = StateAt(14.0, purpose);  // outside
+    state.area->keep_out = "{-1,16:1,16:1,18:-1,18}";
+    state.nav.sd_north = 0.5;
+    behavior.Start(state);
+    EXPECT_FALSE(behavior.Move(state).warning) << purpose;
+    state.nav.north = 15.0;
+    ASSERT_TRUE(behavior.Move(state).warning) << purpose;
+    EXPECT_EQ(behavior.Move(state).warning->id.name(), "REGION_IN_DOUBT");
+    state.nav.north = 17.0;
+    ASSERT_TRUE(behavior.Move(state).warning);
+    EXPECT_EQ(behavior.Move(state).warning->id.name(), "OUTSIDE_REGION");
+  }
+}
+
 /// Goes east at 2 m/s for ever, from the origin.
 HelmFlight Eastward(const std::string& lines) {
   HelmFlight flight(

@@ -33,6 +33,18 @@ TEST(Region, PathsKeepOffAnObstacleThatWasFound) {
   EXPECT_NE(region.obstacle_mark(), Region(area, Meters(0.4)).obstacle_mark());
 }
 
+TEST(Region, KeepsOffZonesFartherThanInsideTheBorder) {
+  SurveyArea area{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0};
+  area.keep_out = PlacesText({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
+  const Region region(area, {.border = Meters(0.4), .zones = Meters(1.9)}, {});
+  EXPECT_FALSE(region.Contains(2.3, 0.0));
+  EXPECT_TRUE(region.Contains(2.5, 0.0));
+  EXPECT_TRUE(region.Contains(16.5, 0.0));
+  EXPECT_FALSE(region.Contains(16.7, 0.0));
+  EXPECT_NEAR(region.ZoneClearance({3.0, 0.0}), 3.0 - 0.5 - 1.9, 1e-9);
+  EXPECT_GT(kRegion.ZoneClearance({0.0, 0.0}), 1e9) << "without any";
+}
+
 TEST(Region, NoticesAnArcThatLeavesAndComesBack) {
   // Heading north-east 1 m from the northern border: the bulge of the arc is outside, its end not.
   const Pose2 from{16.5, 0.0, 0.25 * std::numbers::pi};

@@ -79,6 +79,26 @@ TEST(CoverageScore, AnObstacleThatTheVehiclePassesOverLeavesItsGroundToBeSeen) {
   EXPECT_EQ(ByReason(ScoreOf(WithBox(2.5)), WhyUnseen::kObstacle), 0.0);
 }
 
+TEST(CoverageScore, WhatTheDiveShowedFromWhereTheVehicleMapsWasSeen) {
+  Scenario scenario;
+  scenario.seabed = {.depth_m = 7.5, .roughness_m = 0.0};
+  SurveyFrames frames = LanesBesideTheMiddle();
+  const auto score = [&] {
+    return ScoreCoverage(frames, ScoredArea(), scenario, FromFourMetres(), {});
+  };
+  const CoverageScore without = score();
+  for (int i = 0; i < 3; ++i)
+    frames.dive_X_WB.push_back({{0.0, 0.0, 0.5}, 0.0, 0.0, 0.0});
+  EXPECT_EQ(score().covered, without.covered) << "from 7 m it does not map";
+  for (int i = 0; i < 3; ++i)
+    frames.dive_X_WB.push_back({{0.0, 0.0, 2.0}, 0.0, 0.0, 0.0});
+  const CoverageScore with = score();
+  EXPECT_GT(with.covered, without.covered + 0.05);
+  EXPECT_GT(with.detected_band, without.detected_band + 0.03);
+  EXPECT_LT(with.unseen.band, without.unseen.band - 0.03);
+  EXPECT_EQ(with.curve.seabed, without.curve.seabed) << "levels are of the survey's way";
+}
+
 /// One lane due north, 2 m west of a wall that runs north.
 CoverageScore ScoreBesideAWall(double height_m) {
   Scenario scenario = WithBox(height_m);

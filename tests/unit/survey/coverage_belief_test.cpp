@@ -152,6 +152,29 @@ TEST(CoverageBelief, ClaimsNothingThatWasOutOfReachInTheWater) {
   EXPECT_GT(survey.Claim().band_top, 0.9);
 }
 
+/// The mean of what a normal error takes off an edge that was seen `over` beyond [m].
+double LostOnAverage(double sigma, double over) {
+  const double z = over / sigma;
+  return sigma * (std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi) -
+                  0.5 * z * std::erfc(z / std::numbers::sqrt2));
+}
+
+TEST(CoverageBelief, ExpectsAtTheEdgesWhatMapsOfThatSigmaLoseOnAverage) {
+  for (const double absolute : {0.098, 0.34, 0.48}) {
+    for (const double over : {0.0, 0.25, 0.5}) {  // whole cells
+      const PlaceSigma adrift{.absolute = absolute, .beside = 0.0};
+      SurveyOf survey, exact;
+      for (SurveyOf* of : {&survey, &exact}) {
+        for (double reach = -over; reach < 26.0; reach += 2.0 * kHalfTop - 0.3)
+          of->FlyLane(reach + kHalfTop, of == &survey ? adrift : kExact);
+      }
+      const double lost = LostOnAverage(absolute, over) / 24.0;
+      EXPECT_NEAR(exact.Claim().band_top - survey.Claim().band_top, lost, 0.1 * lost + 2.5e-4)
+          << absolute << " " << over;
+    }
+  }
+}
+
 TEST(CoverageBelief, CountsNoGroundOfAZone) {
   SurveyArea area = kBeliefArea;
   area.keep_out = "{8,6:16,6:16,14:8,14}";
