@@ -105,7 +105,7 @@ bool ObstacleFinder::Update() {
           FarthestOutside(now, *former) <= kGrown && FarthestOutside(*former, now) <= kShrunk;
       has_changed = has_changed || !is_same;
       now.id = former->id;
-      current.push_back(is_same ? *former : std::move(now));
+      current.push_back(is_same ? *former : now);
     } else {
       now.id = next_id_++;
       current.push_back(std::move(now));

@@ -125,7 +125,7 @@ cv::Mat3b Compressed(const cv::Mat3b& picture, Random& random) {
   const int quality = static_cast<int>(random.Uniform(12.0, 95.0));
   std::vector<std::uint8_t> bytes;
   cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
-  const cv::Mat decoded = cv::imdecode(bytes, cv::IMREAD_COLOR);
+  cv::Mat decoded = cv::imdecode(bytes, cv::IMREAD_COLOR);
   return decoded;
 }
 

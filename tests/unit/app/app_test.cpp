@@ -14,7 +14,6 @@
 namespace limpet {
 namespace {
 
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/comparison/session_comparison.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,7 +14,6 @@
 namespace limpet {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 /// Two sessions that saw nothing, with missions as they say.

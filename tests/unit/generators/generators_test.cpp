@@ -17,7 +17,6 @@ namespace {
 
 using scene::kArea;
 using scene::kRadius;
-using ::testing::Contains;
 using ::testing::IsEmpty;
 
 /// Half of Table 1's area has been seen; the vehicle is somewhere.

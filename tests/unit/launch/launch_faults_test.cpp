@@ -16,7 +16,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 bool IsIn(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
