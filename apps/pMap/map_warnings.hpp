@@ -82,6 +82,16 @@ inline const WarningId kTentativeObjectsLeftOut = DeclareWarning(
      .action = "See in the frames whether the detector takes something else for objects.",
      .clears = "Once all such places are kept again."});
 
+inline const WarningId kLandmarksDoubted = DeclareWarning(
+    "LANDMARKS_DOUBTED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "pNav has seen objects at least ten times that the map takes for none: most of its "
+                "looks there show no box that such an object would have.",
+     .action = "See in the frames what is there; does it look larger or smaller than opi_radius_m "
+               "and opi_radius_spread of pNav allow for, or is it seen now and then only?",
+     .clears = "Once the map has each of them for an object, or pNav drops them."});
+
 }  // namespace limpet::warnings
 
 namespace limpet::events {
