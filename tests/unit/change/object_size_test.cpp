@@ -24,7 +24,8 @@ class ObjectSizeTest : public ObjectStatusesTest, public ::testing::WithParamInt
   /// Boxes as large as an object of that radius shows, of which pNav knows no landmark yet.
   void FlyOver(const std::vector<ObjectEstimate>& objects, double radius) {
     for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
-      ObservedFrame frame{.exposure = Seconds(time_), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
+      ObservedFrame frame{
+          .exposure = Seconds(time_), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .altitude = 4.0};
       for (const ObjectEstimate& object : objects) {
         const Eigen::Vector3d p_C = kCamera.InCamera(frame.X_WB, object.p_W);
         if (VisibleShare(kCamera, frame.X_WB, object.p_W, radius) < 0.9) continue;
@@ -95,7 +96,8 @@ TEST_F(ObjectStatusesTest, AnObjectWithoutASizeIsAsLargeAsTheMissionSays) {
 TEST_F(ObjectStatusesTest, ASizeThatPNavLearnsLaterCounts) {
   const Real unsized{At(4.0, 0.3), 1};
   for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
-    ObservedFrame frame{.exposure = Seconds(time_), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
+    ObservedFrame frame{
+        .exposure = Seconds(time_), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}, .altitude = 4.0};
     const Eigen::Vector3d p_C = kCamera.InCamera(frame.X_WB, unsized.object.p_W);
     if (VisibleShare(kCamera, frame.X_WB, unsized.object.p_W, 0.2) >= 0.9) {
       const Eigen::Vector2d pixel = *kCamera.Project(p_C);
