@@ -88,8 +88,8 @@ inline const WarningId kLandmarksDoubted = DeclareWarning(
      .raised_by = {"pMap"},
      .meaning = "pNav has seen objects at least ten times that the map takes for none: most of its "
                 "looks there show no box that such an object would have.",
-     .action = "See in the frames what is there; does it look larger or smaller than opi_radius_m "
-               "and opi_radius_spread of pNav allow for, or is it seen now and then only?",
+     .action = "See in the frames what is there: it may be larger or smaller than pNav takes it to "
+               "be (radius_m in NAV_LANDMARKS), or something that shows now and then only.",
      .clears = "Once the map has each of them for an object, or pNav drops them."});
 
 }  // namespace limpet::warnings
