@@ -157,7 +157,7 @@ std::optional<BoxMatch> BoxGate::Match(const ReadDetection& seen, const NavVecto
   innovation.AddAxis(0, along_u, reading.sigma_px.x());
   innovation.AddAxis(1, along_v, reading.sigma_px.y());
   if (const auto range = reading.Range(object.radius))
-    AddRangeTo(innovation, {*range, reading.size_planes}, point, object.covariance);
+    AddRangeTo(innovation, {*range, reading.size_planes_C}, point, object.covariance);
   const double distance2 = innovation.Distance2();
   if (distance2 > params_.chi2_per_gate) {
     return std::nullopt;

@@ -64,7 +64,7 @@ BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& no
   };
   reading.sigma_px = {sigma(reading.is_cut_u, box.w), sigma(reading.is_cut_v, box.h)};
   reading.lone_edge = LoneEdge(box, reading, {across, along}, noise);
-  reading.size_planes = SizePlanes(reading);
+  reading.size_planes_C = SizePlanes(reading);
   return reading;
 }
 
@@ -72,7 +72,7 @@ std::optional<double> BoxReading::Range(double radius) const {
   if (!tells_size() || radius <= 0.0 || half_angle.minCoeff() < 1e-3) {
     return std::nullopt;
   }
-  return radius * size_planes.dot(half_angle.array().sin().inverse().matrix());
+  return radius * size_planes_C.dot(half_angle.array().sin().inverse().matrix());
 }
 
 }  // namespace limpet

@@ -33,9 +33,9 @@ struct BoxReading {
 
   /// Planes (xz, yz) of the camera that tell the sphere's size: both of a whole box; of one cut at
   /// one end only, the free axis' if more than half of the sphere shows; else none.
-  Eigen::Vector2d size_planes = Eigen::Vector2d::Zero();
+  Eigen::Vector2d size_planes_C = Eigen::Vector2d::Zero();
 
-  [[nodiscard]] bool tells_size() const { return size_planes.sum() > 0.0; }
+  [[nodiscard]] bool tells_size() const { return size_planes_C.sum() > 0.0; }
   [[nodiscard]] bool is_whole() const { return !is_cut_u && !is_cut_v; }
   [[nodiscard]] bool is_usable() const { return !(is_cut_u && is_cut_v); }
   /// Distance in those planes [m] of a sphere of `radius`, their mean if both tell.

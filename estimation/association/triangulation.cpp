@@ -39,7 +39,7 @@ Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x
   double depth = kUsualDistance;
   const Eigen::Vector3d ray_W = R_WC * ray;
   if (const auto range = observation.reading.Range(model.radius_m)) {
-    depth = *range / observation.reading.size_planes.dot(
+    depth = *range / observation.reading.size_planes_C.dot(
                          Eigen::Vector2d(std::hypot(ray.x(), 1.0), std::hypot(ray.y(), 1.0)));
   } else if (observation.altitude && ray_W.z() > 0.3) {
     const double down = X_WB.p_WB.z() + *observation.altitude - model.height_m - p_WC.z();
@@ -62,7 +62,7 @@ std::vector<Term> CollectTerms(const Observation& observation, int slot, const C
   if (const auto range = reading.Range(model.radius_m)) {
     const double sigma = model.noise.range_floor_m + model.noise.range_share * *range;
     terms.push_back(
-        bind(RangeFactor(camera, Meters(*range), Meters(sigma), reading.size_planes), loss));
+        bind(RangeFactor(camera, Meters(*range), Meters(sigma), reading.size_planes_C), loss));
   }
   if (reading.lone_edge && model.radius_m > 0.0) {
     terms.push_back(bind(EdgeFactor(camera, Meters(model.radius_m), *reading.lone_edge), loss));

@@ -10,12 +10,12 @@
 namespace limpet {
 namespace {
 
-constexpr double kMoves = 0.1;         // chance that what is still about was moved
+constexpr double kCarried = 0.1;       // chance that what is still about was moved over the ground
+constexpr double kLifted = 0.04;       // and up or down alone
 constexpr double kLeastMove = 0.5;     // [m] less is no move
-constexpr double kLiftedOnly = 0.2;    // share of moves that are up or down alone
-constexpr double kDownOfMove = 0.2;    // [m] by which the others change the depth
+constexpr double kDownOfMove = 0.1;    // [m] by which a move over the ground changes the depth
 constexpr double kReplaced = 0.002;    // [1/m^2] of objects that took the place of one that is gone
-constexpr double kDownOfOthers = 1.0;  // [m] by which two objects' depths differ
+constexpr double kDownOfOthers = 0.5;  // [m] by which two objects' depths differ
 constexpr double kSameColor = 1.0 / 3.0;  // of two objects that have nothing to do with each other
 
 struct Horizontal {
@@ -66,19 +66,19 @@ struct Vertical {
 
 MoveHypotheses WeighMoves(const Displacement& displacement, double farthest) {
   const double most = std::max(farthest, 2.0 * kLeastMove);
-  const Horizontal level{displacement.off.head<2>(), displacement.covariance.topLeftCorner<2, 2>()};
-  const Vertical upright{displacement.off.z(), displacement.covariance(2, 2)};
+  const Horizontal level{displacement.off_W.head<2>(), displacement.cov_W.topLeftCorner<2, 2>()};
+  const Vertical upright{displacement.off_W.z(), displacement.cov_W(2, 2)};
   const double in_place = level.DensityAt(Eigen::Vector2d::Zero());
   const double carried = DensityOfMoves(level, most) * upright.DensityWith(kDownOfMove);
   const double lifted = in_place * upright.DensityOfLifts(most);
-  return {.stayed = (1.0 - kMoves) * in_place * upright.DensityWith(0.0),
-          .moved = kMoves * ((1.0 - kLiftedOnly) * carried + kLiftedOnly * lifted),
+  return {.stayed = (1.0 - kCarried - kLifted) * in_place * upright.DensityWith(0.0),
+          .moved = kCarried * carried + kLifted * lifted,
           .replaced = kReplaced * upright.DensityWith(kDownOfOthers)};
 }
 
 double ChanceMoved(const ObjectEstimate& former, const ObjectEstimate& now, double farthest) {
   const MoveHypotheses weights =
-      WeighMoves({.off = now.p_W - former.p_W, .covariance = former.cov_W + now.cov_W}, farthest);
+      WeighMoves({.off_W = now.p_W - former.p_W, .cov_W = former.cov_W + now.cov_W}, farthest);
   const double other = kSameColor * weights.replaced;
   return weights.moved / (weights.moved + other);
 }

@@ -12,8 +12,8 @@ namespace limpet {
 /// How far an object is from where a former one was, in this session's frame, and how surely. Depth
 /// is weighed by itself: it has a sensor of its own.
 struct Displacement {
-  Eigen::Vector3d off = Eigen::Vector3d::Zero();         ///< [m]
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of `off` [m^2]
+  Eigen::Vector3d off_W = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Matrix3d cov_W = Eigen::Matrix3d::Zero();  ///< of `off_W` [m^2]
 };
 
 /// Densities of the displacement [1/m^3], each times its chance before it is seen, where the former
@@ -24,8 +24,7 @@ struct MoveHypotheses {
   double replaced = 0.0;  ///< gone, and another one came
 };
 
-/// Moves of half a metre to `farthest` [m], over the ground and as far as it goes also up or down;
-/// one of five goes up or down only.
+/// Moves of half a metre to `farthest` [m], over the ground, or up or down alone.
 [[nodiscard]] MoveHypotheses WeighMoves(const Displacement& displacement, double farthest);
 
 /// That one object has moved, where the former place is empty and another is taken: `former` in

@@ -22,7 +22,7 @@ constexpr std::size_t kMostTakenOut = 20;  // pairs of one fit: beyond that it i
 constexpr double kMostLeverage = 0.9;
 
 /// Of what no filter knows of a place, so much is depth: the pressure sensor knows it best.
-constexpr double kDownShare = 2.0 / 3.0;
+constexpr double kDownShare = 0.5;
 
 /// How far apart two places are along some axes and how surely.
 template <int N>
@@ -72,9 +72,9 @@ Displacement DisplacementOf(const Pair& pair, const SessionMatch& match,
   const Apart<1> upright = Judged<1>({off.tail<1>(), own.bottomRightCorner<1, 1>()},
                                      of_offset.bottomRightCorner<1, 1>(), pair.is_fitted);
   Displacement displacement;
-  displacement.off << level.off, upright.off;
-  displacement.covariance.topLeftCorner<2, 2>() = level.covariance;
-  displacement.covariance.bottomRightCorner<1, 1>() = upright.covariance;
+  displacement.off_W << level.off, upright.off;
+  displacement.cov_W.topLeftCorner<2, 2>() = level.covariance;
+  displacement.cov_W.bottomRightCorner<1, 1>() = upright.covariance;
   return displacement;
 }
 
