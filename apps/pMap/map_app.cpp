@@ -334,6 +334,7 @@ void MapApp::UpdateObjects() {
   }
   objects_ = statuses_.Assess();
   WarnOfTentativeObjects();
+  WarnOfDoubtedLandmarks();
   layer_.SetObjects(objects_, statuses_, map_);
 }
 

@@ -54,6 +54,7 @@ class MapApp final : public App {
   /// Tells the operator of frames that are left out where frames should count.
   void WarnOfDrop(const std::optional<FrameDrop>& drop);
   void WarnOfTentativeObjects();
+  void WarnOfDoubtedLandmarks();
   [[nodiscard]] double TallestObject() const;
   /// Beams of one ping that had a range, and those of them that the map took.
   void CountBeams(int given, int used);

@@ -51,10 +51,22 @@ void MapApp::WarnOfMurk(const VisibilityBelief& water) {
   }
 }
 
+void MapApp::WarnOfDoubtedLandmarks() {
+  if (const int doubted = statuses_.landmarks_doubted(); doubted > 0) {
+    Warn(warnings::kLandmarksDoubted,
+         fmt::format("{} of pNav's objects, each seen at least ten times, the map takes for none: "
+                     "most looks at them show no such box",
+                     doubted));
+  } else {
+    ClearWarning(warnings::kLandmarksDoubted);
+  }
+}
+
 void MapApp::Report(ReportLines& report) const {
   report.Pair("Phase", phase_.empty() ? "none announced: every frame counts" : phase_);
   report.Pair("Frames used", std::to_string(gate_.used()));
   report.Pair("Left out", LeftOut(gate_));
+  report.Pair("Landmarks doubted", std::to_string(statuses_.landmarks_doubted()));
   report.Pair("False boxes", fmt::format("{:.3f} per image", statuses_.false_per_image()));
   const VisibilityBelief belief = statuses_.Water();
   const VisibilityEstimate water = belief.estimate();

@@ -82,6 +82,16 @@ inline const WarningId kTentativeObjectsLeftOut = DeclareWarning(
      .action = "See in the frames whether the detector takes something else for objects.",
      .clears = "Once all such places are kept again."});
 
+inline const WarningId kLandmarksDoubted = DeclareWarning(
+    "LANDMARKS_DOUBTED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "pNav has seen objects at least ten times that the map takes for none: most of its "
+                "looks there show no box that such an object would have.",
+     .action = "See in the frames what is there: it may be larger or smaller than pNav takes it to "
+               "be (radius_m in NAV_LANDMARKS), or something that shows now and then only.",
+     .clears = "Once the map has each of them for an object, or pNav drops them."});
+
 }  // namespace limpet::warnings
 
 namespace limpet::events {

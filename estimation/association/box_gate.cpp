@@ -117,14 +117,21 @@ class Innovation {
   bool overlaps_ = true;
 };
 
-void AddRangeTo(Innovation& innovation, double range, const CameraPoint& point,
+/// A distance from a box's size, in the planes that tell it.
+struct RangeOfSize {
+  double range;  ///< [m]
+  Eigen::Vector2d planes;
+};
+
+void AddRangeTo(Innovation& innovation, const RangeOfSize& seen, const CameraPoint& point,
                 const PoseObjectCovariance& covariance) {
   const Eigen::Vector3d& p = point.p_C;
-  const double expected = 0.5 * (std::hypot(p.x(), p.z()) + std::hypot(p.y(), p.z()));
+  const double expected =
+      seen.planes.dot(Eigen::Vector2d(std::hypot(p.x(), p.z()), std::hypot(p.y(), p.z())));
   const Eigen::RowVector3d ray_C(0.0, 0.0, 1.0);
   const Eigen::RowVector3d to_object = ray_C * point.J_landmark;
   const double sd = std::sqrt((to_object * covariance.bottomRightCorner<3, 3>()).dot(to_object));
-  innovation.AddRange(range, {.mean = expected, .sd = sd});
+  innovation.AddRange(seen.range, {.mean = expected, .sd = sd});
 }
 
 }  // namespace
@@ -150,7 +157,7 @@ std::optional<BoxMatch> BoxGate::Match(const ReadDetection& seen, const NavVecto
   innovation.AddAxis(0, along_u, reading.sigma_px.x());
   innovation.AddAxis(1, along_v, reading.sigma_px.y());
   if (const auto range = reading.Range(object.radius))
-    AddRangeTo(innovation, *range, point, object.covariance);
+    AddRangeTo(innovation, {*range, reading.size_planes_C}, point, object.covariance);
   const double distance2 = innovation.Distance2();
   if (distance2 > params_.chi2_per_gate) {
     return std::nullopt;

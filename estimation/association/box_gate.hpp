@@ -55,8 +55,8 @@ class BoxGate {
   BoxGate(const CameraModel& camera, const BoxGateParams& params)
       : camera_(camera), params_(params) {}
 
-  /// Axes that a border cuts are compared by the one edge that shows; whole boxes also by their
-  /// size. Nothing when the box, seen from the pose `x`, cannot be the object.
+  /// Axes that a border cuts are compared by the one edge that shows; boxes that tell it also by
+  /// their size. Nothing when the box, seen from the pose `x`, cannot be the object.
   [[nodiscard]] std::optional<BoxMatch> Match(const ReadDetection& seen, const NavVector& x,
                                               const ExpectedObject& object) const;
 

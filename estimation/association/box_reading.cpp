@@ -27,6 +27,22 @@ std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& readi
       .sigma_px = std::hypot(reading.sigma_px(1 - axis), noise.edge_share * whole)};
 }
 
+/// Of the full angle of the free axis, what must show along a cut one for the sphere's centre to be
+/// inside the image: half, and what edges may be off. Beyond the centre the free axis shows a
+/// chord.
+constexpr double kMoreThanHalf = 0.6;
+
+Eigen::Vector2d SizePlanes(const BoxReading& reading) {
+  if (reading.is_whole()) return {0.5, 0.5};
+  if (!reading.lone_edge) return Eigen::Vector2d::Zero();
+  const int free = 1 - reading.lone_edge->axis;
+  const bool shows_centre =
+      reading.half_angle(1 - free) >= kMoreThanHalf * reading.half_angle(free);
+  Eigen::Vector2d planes = Eigen::Vector2d::Zero();
+  planes(free) = shows_centre ? 1.0 : 0.0;
+  return planes;
+}
+
 }  // namespace
 
 BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& noise) {
@@ -48,14 +64,15 @@ BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& no
   };
   reading.sigma_px = {sigma(reading.is_cut_u, box.w), sigma(reading.is_cut_v, box.h)};
   reading.lone_edge = LoneEdge(box, reading, {across, along}, noise);
+  reading.size_planes_C = SizePlanes(reading);
   return reading;
 }
 
 std::optional<double> BoxReading::Range(double radius) const {
-  if (!is_whole() || radius <= 0.0 || half_angle.minCoeff() < 1e-3) {
+  if (!tells_size() || radius <= 0.0 || half_angle.minCoeff() < 1e-3) {
     return std::nullopt;
   }
-  return 0.5 * radius * (1.0 / std::sin(half_angle.x()) + 1.0 / std::sin(half_angle.y()));
+  return radius * size_planes_C.dot(half_angle.array().sin().inverse().matrix());
 }
 
 }  // namespace limpet

@@ -20,7 +20,7 @@ struct BoxNoise {
   double range_share = 0.12;    ///< further share of the range
 };
 
-/// Direction and, of uncut boxes, distance of a sphere's centre.
+/// Direction and, where an axis shows a whole diameter, distance of a sphere's centre.
 struct BoxReading {
   /// Pixel of the mid-angle between the box's edges, per axis: where a sphere's centre projects,
   /// whatever its radius; the centre of its box is not that place.
@@ -31,10 +31,14 @@ struct BoxReading {
   /// Of a box cut at one end of one axis only: the edge that shows at the other end.
   std::optional<EdgeFactor::Edge> lone_edge;
 
+  /// Planes (xz, yz) of the camera that tell the sphere's size: both of a whole box; of one cut at
+  /// one end only, the free axis' if more than half of the sphere shows; else none.
+  Eigen::Vector2d size_planes_C = Eigen::Vector2d::Zero();
+
+  [[nodiscard]] bool tells_size() const { return size_planes_C.sum() > 0.0; }
   [[nodiscard]] bool is_whole() const { return !is_cut_u && !is_cut_v; }
   [[nodiscard]] bool is_usable() const { return !(is_cut_u && is_cut_v); }
-  /// Mean distance in the camera's xz and yz planes [m] of a sphere of `radius`, if the box is
-  /// whole.
+  /// Distance in those planes [m] of a sphere of `radius`, their mean if both tell.
   [[nodiscard]] std::optional<double> Range(double radius) const;
 };
 

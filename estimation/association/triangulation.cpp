@@ -39,7 +39,8 @@ Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x
   double depth = kUsualDistance;
   const Eigen::Vector3d ray_W = R_WC * ray;
   if (const auto range = observation.reading.Range(model.radius_m)) {
-    depth = *range / (0.5 * (std::hypot(ray.x(), 1.0) + std::hypot(ray.y(), 1.0)));
+    depth = *range / observation.reading.size_planes_C.dot(
+                         Eigen::Vector2d(std::hypot(ray.x(), 1.0), std::hypot(ray.y(), 1.0)));
   } else if (observation.altitude && ray_W.z() > 0.3) {
     const double down = X_WB.p_WB.z() + *observation.altitude - model.height_m - p_WC.z();
     depth = down / ray_W.z();
@@ -60,7 +61,8 @@ std::vector<Term> CollectTerms(const Observation& observation, int slot, const C
   terms.push_back(bind(ReprojectionFactor(camera, reading.centre_px, reading.sigma_px), loss));
   if (const auto range = reading.Range(model.radius_m)) {
     const double sigma = model.noise.range_floor_m + model.noise.range_share * *range;
-    terms.push_back(bind(RangeFactor(camera, Meters(*range), Meters(sigma)), loss));
+    terms.push_back(
+        bind(RangeFactor(camera, Meters(*range), Meters(sigma), reading.size_planes_C), loss));
   }
   if (reading.lone_edge && model.radius_m > 0.0) {
     terms.push_back(bind(EdgeFactor(camera, Meters(model.radius_m), *reading.lone_edge), loss));
@@ -184,7 +186,10 @@ Triangulation Triangulate(const std::vector<Observation>& observations,
              })) {
       bound.push_back({x, std::move(term)});
     }
-    if (observation.reading.is_whole() && !start->reading.is_whole()) {
+    const BoxReading &one = observation.reading, &first = start->reading;
+    const bool tells_more =
+        (one.is_whole() && !first.is_whole()) || (one.tells_size() && !first.tells_size());
+    if (tells_more) {
       start = &observation;
     }
   }

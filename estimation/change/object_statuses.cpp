@@ -281,29 +281,13 @@ std::vector<OpiBelief> ObjectStatuses::Assess() {
     }
   }
   PairMoved(objects);
+  landmarks_doubted_ = CountDoubted(objects);
   for (TentativeObject* tentative : tentative_.Open()) {
     if (std::optional<OpiBelief> status = StatusOfTentative(*tentative)) {
       objects.push_back(std::move(*status));
     }
   }
   return objects;
-}
-
-void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
-  for (OpiBelief& removed : objects) {
-    if (removed.decided != Status::kRemoved) continue;
-    const auto moved = std::ranges::find_if(objects, [&](const OpiBelief& other) {
-      return other.decided == Status::kNew && other.object.color == removed.object.color &&
-             HorizontalDistance(other.object, removed.object) < params_.moved_within.value();
-    });
-    if (moved == objects.end()) continue;
-    moved->decided = Status::kMoved;
-    moved->prior_id = removed.prior_id;
-    removed.prior_id.reset();  // its story goes on in the other entry
-  }
-  std::erase_if(objects, [](const OpiBelief& object) {
-    return object.decided == Status::kRemoved && !object.prior_id;
-  });
 }
 
 }  // namespace limpet

@@ -101,6 +101,9 @@ class ObjectStatuses {
   [[nodiscard]] VisibilityBelief Water() const;
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
   [[nodiscard]] int tentative_left_out() const { return tentative_.left_out(); }
+  /// Landmarks that were often seen, and that the book believes to be none: their boxes do not look
+  /// as such an object would.
+  [[nodiscard]] int landmarks_doubted() const { return landmarks_doubted_; }
   /// The landmark that stands for `landmark` after merging; nothing if it is not
   /// confirmed.
   [[nodiscard]] std::optional<int> Representative(const std::optional<int>& landmark) const;
@@ -146,7 +149,10 @@ class ObjectStatuses {
   /// A place that hints at an object, as one of which nothing is known; nothing if another entry
   /// tells about it.
   [[nodiscard]] std::optional<OpiBelief> StatusOfTentative(TentativeObject& tentative);
+  /// Tells what is gone and what came beside it as one object that has moved, the likeliest pairs
+  /// first.
   void PairMoved(std::vector<OpiBelief>& objects) const;
+  [[nodiscard]] int CountDoubted(const std::vector<OpiBelief>& objects) const;
 
   StatusParams params_;
   WatchModel model_;
@@ -166,6 +172,7 @@ class ObjectStatuses {
   SessionMatch match_;  ///< of objects_; `chance` is what landmarks say, 1 for a decided match
   std::map<int, PlaceWatch> newcomer_watch_;  ///< former views of newcomers' places, by landmark
   TentativeObjects tentative_;
+  int landmarks_doubted_ = 0;
   std::map<int, int> id_of_landmark_;
   int next_id_ = 1;
 };

@@ -22,18 +22,29 @@ constexpr double kSameColor = 0.25;
 constexpr double kSameSize = 0.4;
 constexpr double kSmallestSize = 0.6;  ///< of the expected, for a box that the border leaves whole
 constexpr double kLargestSize = 1.6;
+constexpr double kSizeSigmas = 2.0;  ///< of the object's own size that these shares allow for
+constexpr double kMostSlack = 2.5;   ///< a size that is known no better tells nothing
 
-LookModel LookModelOf(const WatchModel& model) {
-  return {
-      .camera = model.camera, .detection = model.detection, .object_radius = model.object_radius};
+LookModel LookModelOf(const WatchModel& model, const ObjectEstimate& place) {
+  return {.camera = model.camera,
+          .detection = model.detection,
+          .object_radius = place.RadiusOr(model.object_radius)};
+}
+
+double SizeSlackOf(const ObjectEstimate& place) {
+  if (!place.is_size_known()) return 1.0;
+  const double sd = std::max(place.size->sd, 0.0) / place.size->radius;
+  return std::min(std::exp(kSizeSigmas * sd), kMostSlack);
 }
 
 /// A box of the object's colour and size.
-bool LooksLike(const Box& box, const ObjectEstimate& place, double diameter_px,
+bool LooksLike(const Box& box, const ObjectEstimate& place, const Foresight& foresight,
                const CameraModel& camera) {
-  const bool is_small_enough = std::max(box.w, box.h) <= kLargestSize * diameter_px;
-  const bool is_large_enough =
-      IsCut(box, camera) || std::min(box.w, box.h) >= kSmallestSize * diameter_px;
+  const double diameter_px = 2.0 * foresight.radius;
+  const double largest = kLargestSize * foresight.size_slack * diameter_px;
+  const double smallest = kSmallestSize / foresight.size_slack * diameter_px;
+  const bool is_small_enough = std::max(box.w, box.h) <= largest;
+  const bool is_large_enough = IsCut(box, camera) || std::min(box.w, box.h) >= smallest;
   return is_small_enough && is_large_enough && (place.color.empty() || box.color == place.color);
 }
 
@@ -52,7 +63,7 @@ BoxesHere LookForBoxes(const ObservedFrame& frame, const ObjectEstimate& place,
     if (owner == BoxOwner::kThisPlace) {
       here.own = &box;
     } else if (owner == BoxOwner::kUnknown && foresight.Explains(box, camera) &&
-               LooksLike(box, place, 2.0 * foresight.radius, camera)) {
+               LooksLike(box, place, foresight, camera)) {
       here.possible = &box;
     }
   }
@@ -62,7 +73,10 @@ BoxesHere LookForBoxes(const ObservedFrame& frame, const ObjectEstimate& place,
 double FalseAlarm(const Foresight& foresight, const WatchModel& model) {
   const double gate_area = std::numbers::pi * foresight.gate * foresight.gate;
   const double image_area = static_cast<double>(model.camera.width_px) * model.camera.height_px;
-  const double rate = kSameColor * kSameSize * model.detection.false_per_image;
+  const double wider =
+      1.0 + 2.0 * std::log(foresight.size_slack) / std::log(kLargestSize / kSmallestSize);
+  const double same_size = std::min(kSameSize * wider, 1.0);
+  const double rate = kSameColor * same_size * model.detection.false_per_image;
   return std::clamp(rate * std::min(gate_area / image_area, 1.0), kLeastFalseAlarm,
                     kLargestFalseAlarm);
 }
@@ -89,11 +103,13 @@ std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
   }
   const double pixels_per_metre = model.camera.fx / p_C.z();
   const double position = std::sqrt(std::max(0.5 * (place.cov_W(0, 0) + place.cov_W(1, 1)), 0.0));
-  const double size = 2.0 * kSizeShare * model.object_radius;
+  const double radius = place.RadiusOr(model.object_radius);
+  const double size = 2.0 * kSizeShare * radius;
   const double sigma = std::hypot(kPixelSigma, std::hypot(position, size) * pixels_per_metre);
   return Foresight{.pixel = *pixel,
-                   .radius = model.object_radius * pixels_per_metre,
-                   .gate = kGateSigmas * sigma};
+                   .radius = radius * pixels_per_metre,
+                   .gate = kGateSigmas * sigma,
+                   .size_slack = SizeSlackOf(place)};
 }
 
 const Box* FindBox(const ObservedFrame& frame, const ObjectEstimate& place, const WatchModel& model,
@@ -126,7 +142,7 @@ void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const 
   const BoxesHere boxes = LookForBoxes(frame, place_, *foresight, model.camera, owner_of);
   const bool has_own = boxes.own != nullptr;
   const double false_alarm = FalseAlarm(*foresight, model);
-  const LookModel look = LookModelOf(model);
+  const LookModel look = LookModelOf(model, place_);
   const PerVisibility visibilities =
       model.visibilities.value_or(model.detection.visibility.value());
   for (Spot& spot : spots_) {

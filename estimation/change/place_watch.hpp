@@ -17,7 +17,7 @@ namespace limpet {
 struct WatchModel {
   CameraModel camera;
   DetectionModel detection;
-  double object_radius = 0.5;    ///< [m]
+  double object_radius = 0.5;    ///< of an object whose size nobody has estimated [m]
   double least_detection = 0.2;  ///< frames with less chance of a box say nothing
   /// Visibilities that the water may have [m]; nothing: it has the one of `detection`.
   std::optional<PerVisibility> visibilities = std::nullopt;
@@ -29,6 +29,8 @@ struct Foresight {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double radius = 0.0;  ///< of the object's image [px]
   double gate = 0.0;    ///< how far from `pixel` its box would be centred [px]
+  /// By what share its image may be larger or smaller, for what is unknown of the object's size.
+  double size_slack = 1.0;
   /// True if the box could be that of an object here.
   [[nodiscard]] bool Explains(const Box& box, const CameraModel& camera) const;
 };

@@ -10,6 +10,12 @@
 #include "estimation/matching/own_covariance.hpp"
 
 namespace limpet {
+namespace {
+
+/// Lambda of a former session that would have seen what it did not.
+constexpr double kNothingThere = -30.0;
+
+}  // namespace
 
 void ObjectStatuses::SetFormer(std::vector<FormerObject> former) {
   former_watch_.assign(former.size(), std::nullopt);
@@ -92,7 +98,15 @@ StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t index) const {
     const double chance = row(static_cast<Eigen::Index>(j)) / total;
     if (chance > 0.0) add(landmark_watch_.at(objects_[j].id), chance);
   }
-  if (former_watch_[index]) add(*former_watch_[index], 1.0 - ChanceOfFormer(index));
+  const double rest = 1.0 - ChanceOfFormer(index);
+  const int stands_in = match_.now_of_former[index];
+  if (rest > 0.0 && stands_in >= 0) {
+    // Moved to where the landmark is, or gone and another one came: that one is there in any case.
+    const PlaceWatch& watch = landmark_watch_.at(objects_[static_cast<std::size_t>(stands_in)].id);
+    sum.Add(ChangeStatus(kNothingThere, watch.evidence(), water_, params_.priors), rest);
+  } else if (former_watch_[index]) {
+    add(*former_watch_[index], rest);
+  }
   return sum;
 }
 

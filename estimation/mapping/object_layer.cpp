@@ -52,15 +52,18 @@ bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p
          p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
 }
 
-double ObjectLayer::MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& p_W) const {
-  const double share = VisibleShare(camera_, X_WB, p_W, status_.object_radius.value());
-  if (share < kWellVisible) {
+double ObjectLayer::RadiusOf(const Painted& object) const {
+  return object.status.object.RadiusOr(status_.object_radius.value());
+}
+
+double ObjectLayer::MissLogOdds(const Pose& X_WB, const Painted& object) const {
+  const Eigen::Vector3d& p_W = object.status.object.p_W;
+  const double radius = RadiusOf(object);
+  if (VisibleShare(camera_, X_WB, p_W, radius) < kWellVisible) {
     return 0.0;
   }
-  const double detects = ChanceToDetect({.camera = camera_,
-                                         .detection = status_.detection,
-                                         .object_radius = status_.object_radius.value()},
-                                        X_WB, p_W);
+  const double detects = ChanceToDetect(
+      {.camera = camera_, .detection = status_.detection, .object_radius = radius}, X_WB, p_W);
   if (detects < kLookChance) return 0.0;  // most likely it would not have been seen
   const double false_alarm = status_.detection.false_per_image;
   return std::min(std::log((1.0 - detects) / (1.0 - false_alarm)), 0.0);
@@ -76,13 +79,13 @@ void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
   if (const Box* box = book.BoxOf(object.status, frame)) {
     const double depth = camera_.InCamera(frame.X_WB, p_W).z();
     const Eigen::Vector2d half_px =
-        status_.object_radius.value() / depth * Eigen::Vector2d(camera_.fx, camera_.fy);
+        RadiusOf(object) / depth * Eigen::Vector2d(camera_.fx, camera_.fy);
     object.looks.push_back({.X_WB = frame.X_WB,
                             .box = WholeBox(*box, half_px, camera_),
                             .object_W = p_W,
                             .time = frame.exposure.value()});
   } else {
-    const double miss = MissLogOdds(frame.X_WB, p_W);
+    const double miss = MissLogOdds(frame.X_WB, object);
     if (miss == 0.0) return;
     // What made one look of a pass miss may have made them all: they are one witness.
     const bool is_new_pass = !object.last_miss || frame.exposure.value() - *object.last_miss >
@@ -189,7 +192,7 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
 
 void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
   const double resolution = map.resolution();
-  double radius = object.looks.empty() ? status_.object_radius.value() : 0.0;
+  double radius = object.looks.empty() ? RadiusOf(object) : 0.0;
   for (const ObjectLook& look : object.looks) {
     radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks.size());
   }

@@ -54,7 +54,8 @@ class ObjectLayer {
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
   /// What a frame without a box says; 0 where it would more likely than not have
   /// been overlooked.
-  [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Eigen::Vector3d& p_W) const;
+  [[nodiscard]] double RadiusOf(const Painted& object) const;
+  [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Painted& object) const;
   /// Takes the object's looks from all frames of the book.
   void Judge(Painted& object, const ObjectStatuses& book) const;
   void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& book) const;

@@ -18,7 +18,7 @@ struct MatchingParams {
   Meters offset_sigma{0.8};
   Meters datum_sigma{0.0};  ///< and of what neither session's fixes know of
   Radians datum_turn_sigma{0.0};
-  Meters down_sigma{0.05};
+  Meters down_sigma{0.3};  ///< of what all depths of a session have in common: tide, sensor
   Radians turn_sigma = Radians::FromTextUnit(1.0);
   Meters position_floor{
       0.15};  ///< added to each object's own covariance: what a filter does not know

@@ -3,20 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <Eigen/LU>
 
+#include "estimation/matching/move_hypotheses.hpp"
 #include "estimation/navigation/former_candidates.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kMoves = 0.1;        // chance that what is still about was moved
-constexpr double kLeastMove = 0.5;    // [m] less is no move
-constexpr double kMostMove = 2.5;     // [m] all distances between are as likely
-constexpr double kOtherCame = 0.002;  // [1/m^2] of objects that took the place of one that is gone
+constexpr double kMostMove = 2.5;  // [m] farther off it is another object
 
 constexpr std::size_t kMostTakenOut = 20;  // pairs of one fit: beyond that it is no fit at all
 
@@ -24,42 +21,33 @@ constexpr std::size_t kMostTakenOut = 20;  // pairs of one fit: beyond that it i
 /// would say how far the two are apart.
 constexpr double kMostLeverage = 0.9;
 
-/// How far apart two places are and how surely, horizontal.
-struct Displacement {
-  Eigen::Vector2d off;
-  Eigen::Matrix2d covariance;
+/// Of what no filter knows of a place, so much is depth: the pressure sensor knows it best.
+constexpr double kDownShare = 0.5;
 
-  [[nodiscard]] double DensityAt(const Eigen::Vector2d& d) const {
-    const Eigen::Vector2d from = off - d;
-    return std::exp(-0.5 * from.dot(covariance.inverse() * from)) /
-           (2.0 * std::numbers::pi * std::sqrt(covariance.determinant()));
-  }
+/// How far apart two places are along some axes and how surely.
+template <int N>
+struct Apart {
+  Eigen::Vector<double, N> off;
+  Eigen::Matrix<double, N, N> covariance;
 };
 
 /// As by the offset that is left when the pair is taken out of its fit.
-Displacement Without(const Eigen::Vector2d& off, const Eigen::Matrix2d& own,
-                     const Eigen::Matrix2d& of_offset) {
+template <int N>
+Apart<N> Without(const Apart<N>& apart, const Eigen::Matrix<double, N, N>& of_offset) {
+  using Square = Eigen::Matrix<double, N, N>;
   // Gains of the pair in the fit: a share of the displacement that the offset has taken up.
-  const Eigen::Matrix2d leverage = of_offset * own.inverse();
+  const Square leverage = of_offset * apart.covariance.inverse();
   const double most = leverage.norm();
-  const Eigen::Matrix2d held = most > kMostLeverage ? kMostLeverage / most * leverage : leverage;
-  const Eigen::Matrix2d grown = (Eigen::Matrix2d::Identity() - held).inverse();
-  const Eigen::Matrix2d covariance = grown * own;
-  return {grown * off, 0.5 * (covariance + covariance.transpose())};
+  const Square held = most > kMostLeverage ? Square(kMostLeverage / most * leverage) : leverage;
+  const Square grown = (Square::Identity() - held).inverse();
+  const Square covariance = grown * apart.covariance;
+  return {grown * apart.off, 0.5 * (covariance + covariance.transpose())};
 }
 
-/// Mean density over all moves.
-double DensityOfMoves(const Displacement& displacement) {
-  constexpr int kDistances = 10, kCourses = 16;
-  double sum = 0.0;
-  for (int i = 0; i < kDistances; ++i) {
-    const double distance = kLeastMove + (i + 0.5) * (kMostMove - kLeastMove) / kDistances;
-    for (int k = 0; k < kCourses; ++k) {
-      const double course = 2.0 * std::numbers::pi * k / kCourses;
-      sum += displacement.DensityAt(distance * Eigen::Vector2d(std::cos(course), std::sin(course)));
-    }
-  }
-  return sum / (kDistances * kCourses);
+/// `own`: with what is unknown of both places alone.
+template <int N>
+Apart<N> Judged(const Apart<N>& own, const Eigen::Matrix<double, N, N>& of_offset, bool is_fitted) {
+  return is_fitted ? Without<N>(own, of_offset) : Apart<N>{own.off, own.covariance + of_offset};
 }
 
 /// Two places that may be one, and whether the offset was fitted to them, too.
@@ -69,20 +57,34 @@ struct Pair {
   bool is_fitted;
 };
 
+/// Level and upright apart: the first turn and the fixes tell nothing of the depth.
+Displacement DisplacementOf(const Pair& pair, const SessionMatch& match,
+                            const MatchingParams& params) {
+  const Eigen::Matrix<double, 3, 4> J = match.offset.Jacobian(pair.former.p_W);
+  const Eigen::Matrix3d of_offset = J * match.offset_cov * J.transpose();
+  const double floor = params.position_floor.value();
+  const Eigen::Vector3d unknown(floor, floor, kDownShare * floor);
+  Eigen::Matrix3d own = pair.former.cov_W + pair.now.cov_W;
+  own.diagonal() += 2.0 * unknown.cwiseAbs2();
+  const Eigen::Vector3d off = pair.now.p_W - match.offset.Apply(pair.former.p_W);
+  const Apart<2> level = Judged<2>({off.head<2>(), own.topLeftCorner<2, 2>()},
+                                   of_offset.topLeftCorner<2, 2>(), pair.is_fitted);
+  const Apart<1> upright = Judged<1>({off.tail<1>(), own.bottomRightCorner<1, 1>()},
+                                     of_offset.bottomRightCorner<1, 1>(), pair.is_fitted);
+  Displacement displacement;
+  displacement.off_W << level.off, upright.off;
+  displacement.cov_W.topLeftCorner<2, 2>() = level.covariance;
+  displacement.cov_W.bottomRightCorner<1, 1>() = upright.covariance;
+  return displacement;
+}
+
 double ChanceOfSamePlace(const Pair& pair, const SessionMatch& match,
                          const MatchingParams& params) {
-  const Eigen::Matrix<double, 3, 4> J = match.offset.Jacobian(pair.former.p_W);
-  const Eigen::Matrix2d of_offset = (J * match.offset_cov * J.transpose()).topLeftCorner<2, 2>();
-  Eigen::Matrix2d own = (pair.former.cov_W + pair.now.cov_W).topLeftCorner<2, 2>();
-  own.diagonal().array() += 2.0 * std::pow(params.position_floor.value(), 2);
-  const Eigen::Vector2d off = (pair.now.p_W - match.offset.Apply(pair.former.p_W)).head<2>();
-  const Displacement displacement =
-      pair.is_fitted ? Without(off, own, of_offset) : Displacement{off, own + of_offset};
+  const MoveHypotheses weights = WeighMoves(DisplacementOf(pair, match, params), kMostMove);
   // Of an object of another colour that is the same, the colour was wrong in one of the sessions.
   const double one_object = std::exp(-0.5 * params.ColorCost(pair.former, pair.now));
-  const double same = one_object * (1.0 - kMoves) * displacement.DensityAt(Eigen::Vector2d::Zero());
-  const double other = one_object * kMoves * DensityOfMoves(displacement) + kOtherCame;
-  return same / (same + other);
+  const double same = one_object * weights.stayed;
+  return same / (same + one_object * weights.moved + weights.replaced);
 }
 
 }  // namespace

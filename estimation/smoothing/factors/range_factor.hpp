@@ -8,10 +8,10 @@
 
 namespace limpet {
 
-/// Distance of a sphere of known radius from the size of its uncut box:
+/// Distance of a sphere of known radius from the size of its box:
 ///   r = (mean of the centre's distances in the camera's xz and yz planes - measured) / sigma.
 /// In each of these planes a half-angle a of the box means exactly radius / sin(a). Use with a
-/// robust loss, and never on boxes that the border cuts.
+/// robust loss, and never in a plane in which the border cuts the box.
 class RangeFactor {
  public:
   static constexpr int kDim = 1;
@@ -19,9 +19,17 @@ class RangeFactor {
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
   using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
 
+  /// Weights of the distances in the xz and yz planes: of a whole box the mean.
+  using PlaneWeights = Eigen::Vector2d;
+  [[nodiscard]] static PlaneWeights BothPlanes() { return {0.5, 0.5}; }
+
   /// `camera` must outlive the factor.
-  RangeFactor(const CameraModel& camera, Meters measured, Meters sigma)
-      : camera_(&camera), measured_(measured.value()), inv_sigma_(1.0 / sigma.value()) {}
+  RangeFactor(const CameraModel& camera, Meters measured, Meters sigma,
+              const PlaneWeights& planes = BothPlanes())
+      : camera_(&camera),
+        measured_(measured.value()),
+        inv_sigma_(1.0 / sigma.value()),
+        planes_(planes) {}
 
   [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
                                   Jacobian* J_pose = nullptr,
@@ -43,15 +51,18 @@ class RangeFactor {
                                   Residual& J_size) const {
     const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);
     const double yz = std::max(std::hypot(p.y(), p.z()), 1e-6);
-    const double scale = 0.5 * inv_sigma_ * std::exp(-log_size);
-    J_C = scale * Eigen::RowVector3d(p.x() / xz, p.y() / yz, p.z() / xz + p.z() / yz);
-    J_size = Residual(-scale * (xz + yz));
-    return Residual(scale * (xz + yz) - measured_ * inv_sigma_);
+    const double scale = inv_sigma_ * std::exp(-log_size);
+    const double by_xz = scale * planes_.x() / xz, by_yz = scale * planes_.y() / yz;
+    J_C = Eigen::RowVector3d(by_xz * p.x(), by_yz * p.y(), (by_xz + by_yz) * p.z());
+    const double range = planes_.dot(Eigen::Vector2d(xz, yz));
+    J_size = Residual(-scale * range);
+    return Residual(scale * range - measured_ * inv_sigma_);
   }
 
  private:
   const CameraModel* camera_;
   double measured_, inv_sigma_;
+  PlaneWeights planes_;
 };
 
 }  // namespace limpet

@@ -19,6 +19,8 @@ OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& compari
           {"color", object.object.color},
           {"ned_m", PlaceJson(object.object.p_W)},
           {"moved_from_ned_m", PlaceJson(comparison.MovedFrom_W(object))},
+          {"moved_probability", object.moved_probability ? OrderedJson(*object.moved_probability)
+                                                         : OrderedJson(nullptr)},
           {"id_a", object.prior_id ? OrderedJson(*object.prior_id) : OrderedJson(nullptr)},
           {"landmark_b", object.landmark ? OrderedJson(*object.landmark) : OrderedJson(nullptr)},
           {"posterior", JsonOf(object.posterior)},

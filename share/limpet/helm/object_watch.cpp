@@ -31,7 +31,9 @@ std::optional<LookWindow> ObjectWatch::WindowOf(const OpiBelief& belief,
   const double drop = seabed_down ? belief.object.p_W.z() - (*seabed_down - altitude_) : altitude_;
   const double place_sigma =
       std::sqrt(std::max(0.0, 0.5 * (belief.object.cov_W(0, 0) + belief.object.cov_W(1, 1))));
-  return LookWindowAbove(*model_, drop, allowance_ + place_sigma);
+  LookModel model = *model_;
+  model.object_radius = belief.object.RadiusOr(model.object_radius);
+  return LookWindowAbove(model, drop, allowance_ + place_sigma);
 }
 
 std::vector<WatchedObject> ObjectWatch::Objects(const SurveyGrid* grid,

@@ -45,7 +45,9 @@ OrderedJson ChangeFeature(const SessionComparison& comparison, const OpiBelief& 
             {"landmark_b", IdJson(object.landmark)},
             {"looks_b", object.looks},
             {"p_nothing", object.posterior.nothing},
-            {"moved_m", moved ? OrderedJson(*moved) : OrderedJson(nullptr)}}}};
+            {"moved_m", moved ? OrderedJson(*moved) : OrderedJson(nullptr)},
+            {"p_moved", object.moved_probability ? OrderedJson(*object.moved_probability)
+                                                 : OrderedJson(nullptr)}}}};
 }
 
 }  // namespace

@@ -11,14 +11,14 @@
 
 namespace limpet {
 
-/// Where an object is believed to be, and what it is. W is the north-east-down frame of the session
-/// that says so.
 /// Of an object taken for a sphere.
 struct ObjectSize {
   double radius = 0.0;  ///< [m]
   double sd = 0.0;      ///< [m]
 };
 
+/// Where an object is believed to be, and what it is. W is the north-east-down frame of the session
+/// that says so.
 struct ObjectEstimate {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();    ///< of its centre [m]
   Eigen::Matrix3d cov_W = Eigen::Matrix3d::Zero();  ///< [m^2]
@@ -26,6 +26,11 @@ struct ObjectEstimate {
   std::optional<ObjectSize> size = std::nullopt;    ///< nothing where it is not estimated
   /// Standard deviation along each axis [m].
   [[nodiscard]] Eigen::Vector3d sd_W() const { return cov_W.diagonal().cwiseMax(0.0).cwiseSqrt(); }
+  [[nodiscard]] bool is_size_known() const { return size && size->radius > 0.0; }
+  /// Of this object [m]; `usual` where nobody has estimated it.
+  [[nodiscard]] double RadiusOr(double usual) const {
+    return is_size_known() ? size->radius : usual;
+  }
 };
 
 /// A former session's object that a landmark may be.
@@ -70,6 +75,9 @@ struct OpiBelief {
   int looks_with_box = 0;  ///< of them; MAP_OPIS does not carry it
   StatusPosterior posterior;
   Status decided = Status::kUncertain;  ///< in a discovery session new or uncertain
+  /// Of what is decided to have moved: that it is the former object `prior_id`, which stood
+  /// elsewhere, and that that place is empty now.
+  std::optional<double> moved_probability = std::nullopt;
   Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();   ///< of the map's OPI voxels [m]
   Eigen::Vector3d centroid_sd = Eigen::Vector3d::Zero();  ///< their spread [m]
 };

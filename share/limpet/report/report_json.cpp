@@ -111,6 +111,9 @@ OrderedJson Changes(const std::vector<ChangeScore>& changes) {
          {"decided", change.decided},
          {"probability",
           change.probability ? OrderedJson(Share(*change.probability)) : OrderedJson(nullptr)},
+         {"moved_probability", change.moved_probability
+                                   ? OrderedJson(Share(*change.moved_probability))
+                                   : OrderedJson(nullptr)},
          {"ned_m", change.p_W ? PointJson(*change.p_W) : OrderedJson(nullptr)},
          {"posterior",
           change.posterior ? PosteriorJson(*change.posterior) : OrderedJson(nullptr)}});

@@ -41,6 +41,7 @@ double ProbabilityOf(const OpiBelief& opi) {
   if (opi.decided == Status::kConfirmed) return p.confirmed;
   if (opi.decided == Status::kRemoved) return p.removed;
   if (opi.decided == Status::kNew) return p.appeared;
+  if (opi.decided == Status::kMoved && opi.moved_probability) return *opi.moved_probability;
   return std::max({p.confirmed, p.removed, p.appeared, p.nothing});
 }
 
@@ -168,6 +169,7 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
       score.probability = ProbabilityOf(opi);
       score.p_W = opi.object.p_W;
       score.posterior = opi.posterior;
+      score.moved_probability = opi.moved_probability;
     }
     scores.changes.push_back(std::move(score));
   }
@@ -175,7 +177,8 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
     const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
     if (is_known || !IsDecided(belief)) continue;
     scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.decided)),
-                              ProbabilityOf(belief), belief.object.p_W, belief.posterior});
+                              ProbabilityOf(belief), belief.object.p_W, belief.posterior,
+                              belief.moved_probability});
   }
 }
 
@@ -209,7 +212,7 @@ OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
   for (const OpiBelief& opi : record.opis) {
     scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
                               ProbabilityOf(opi), SmoothedBelief(opi, record.landmarks).object.p_W,
-                              opi.posterior});
+                              opi.posterior, opi.moved_probability});
   }
   return scores;
 }

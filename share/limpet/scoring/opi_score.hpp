@@ -31,6 +31,8 @@ struct ChangeScore {
   std::optional<double> probability;    ///< of what was decided; nothing: no look says any
   std::optional<Eigen::Vector3d> p_W;   ///< where the vehicle says; nothing: it knows of no object
   std::optional<StatusPosterior> posterior = std::nullopt;  ///< of that object
+  /// As OpiBelief; the posterior does not know of it.
+  std::optional<double> moved_probability = std::nullopt;
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
   /// True if nothing was decided.
   [[nodiscard]] bool is_open() const;

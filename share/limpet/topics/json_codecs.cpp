@@ -150,6 +150,7 @@ void to_json(nlohmann::json& out, const OpiBelief& opi) {
          {"looks", opi.looks},
          {"entropy", opi.posterior.Entropy()},
          {"log_likelihood_ratio", opi.log_likelihood_ratio}};
+  if (opi.moved_probability) out["moved_probability"] = *opi.moved_probability;
   AddEstimate(opi.object, out);
 }
 
@@ -165,6 +166,7 @@ void from_json(const nlohmann::json& in, OpiBelief& opi) {
       .decided = StatusFromName(in.at("decided").get<std::string>()).value_or(Status::kUncertain),
       .centroid_W = VectorFrom(in.at("centroid")),
       .centroid_sd = VectorFrom(in.at("centroid_sd"))};
+  if (in.contains("moved_probability")) opi.moved_probability = in.at("moved_probability");
 }
 
 void to_json(nlohmann::json& out, const FormerObject& former) {

@@ -148,6 +148,25 @@ TEST_F(MapWarningsTest, SaysThatItDoesNotFollowUpEveryHint) {
   EXPECT_TRUE(app_.warnings().contains("TENTATIVE_OBJECTS_LEFT_OUT"));
 }
 
+TEST_F(MapWarningsTest, SaysThatItTakesAnObjectOfPNavsForNone) {
+  const trial::Sphere seen{.ned = {4, 1, 5.5}, .color = "yellow", .landmark = 3};
+  Survey({.north = -3, .east = 1, .length = 16}, {});
+  link_.Send(app_, topics::kNavLandmarks,
+             Landmarks{{{.id = 3,
+                         .object = {.p_W = seen.ned,
+                                    .cov_W = 0.01 * Eigen::Matrix3d::Identity(),
+                                    .color = "yellow"},
+                         .looks = 12,
+                         .is_confirmed = true}}});
+  link_.time += Seconds(20.0);
+  app_.Tick(link_.time);
+  EXPECT_TRUE(app_.warnings().contains("LANDMARKS_DOUBTED"));
+  link_.Send(app_, topics::kNavLandmarks, Landmarks{});
+  link_.time += Seconds(20.0);
+  app_.Tick(link_.time);
+  EXPECT_FALSE(app_.warnings().contains("LANDMARKS_DOUBTED"));
+}
+
 TEST_F(MapWarningsTest, SaysThatBeamsEndWhereNothingCanBe) {
   const auto ping = [this](double first) {
     for (int i = 0; i < 60; ++i) {

@@ -42,6 +42,19 @@ TEST(BoxReading, TrustsOnlyTheAxisThatTheBorderDoesNotCut) {
   EXPECT_TRUE(reading.is_usable());
 }
 
+/// A large object seldom shows whole.
+TEST(BoxReading, KnowsTheDistanceOfASphereThatShowsByMoreThanHalf) {
+  const CameraModel camera;
+  const Eigen::Vector3d p_C(0.3, -1.3, 3.0);
+  const BoxReading reading = ReadBox(*BoxOfSphere(p_C, 0.8, camera), camera, {});
+  ASSERT_TRUE(reading.is_cut_v && !reading.is_cut_u);
+  ASSERT_TRUE(reading.Range(0.8));
+  EXPECT_NEAR(*reading.Range(0.8), std::hypot(0.3, 3.0), 1e-6) << "in the plane of the free axis";
+  // Of one whose centre is outside the image the box shows no diameter.
+  const auto beyond = BoxOfSphere({0.3, -2.0, 3.0}, 0.8, camera);
+  EXPECT_FALSE(ReadBox(*beyond, camera, {}).Range(0.8));
+}
+
 TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
   const CameraModel camera;
   const auto box = BoxOfSphere({2.4, 0.0, 3.0}, kSphereRadius, camera);

@@ -235,6 +235,19 @@ TEST_F(StatusFormerTest, AnUndecidedLandmarkIsNeitherSurelyNewNorConfirmed) {
   EXPECT_GT(objects[1].posterior.present(), 0.95) << "it is there all the same";
 }
 
+TEST_F(StatusFormerTest, WhatMovedOrStayedIsThereAllTheSame) {
+  FormerLookedEverywhere();
+  statuses_.SetFormer({Former(7, At(4, 0.0))});
+  const Real real{At(4, 0.7), 1, 7, {{7, 0.6}}};
+  Fly(0.5, {real});
+  Landmarks({real});
+  const std::vector<OpiBelief> objects = statuses_.Assess();
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects[0].decided, Status::kUncertain);
+  EXPECT_NEAR(objects[0].posterior.confirmed, 0.6, 0.05);
+  EXPECT_GT(objects[0].posterior.present(), 0.95);
+}
+
 TEST_F(StatusFormerTest, OneOfTwoCloseFormerObjectsIsLeftAndNobodyKnowsWhich) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 0.9))});

@@ -60,6 +60,16 @@ TEST_F(SessionComparisonTest, FindsNothingWhereNothingWasSeen) {
   EXPECT_THAT(Json(comparison), HasSubstr("\"changes\": []"));
 }
 
+TEST_F(SessionComparisonTest, OfAMovedObjectSaysHowSureThatIs) {
+  SessionComparison comparison{.a = {}, .b = {}, .offset = {}, .objects = {}};
+  OpiBelief moved;
+  moved.decided = Status::kMoved;
+  moved.moved_probability = 0.93;
+  comparison.objects = {moved, OpiBelief{}};
+  EXPECT_THAT(Json(comparison), HasSubstr("\"moved_probability\": 0.93"));
+  EXPECT_THAT(Json(comparison), HasSubstr("\"moved_probability\": null"));
+}
+
 /// From south of the place (0, 0, 6): looks all along, at it from many sides, sees nothing.
 SavedSession EmptyLooks() {
   SavedSession session;

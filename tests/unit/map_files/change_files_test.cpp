@@ -43,11 +43,14 @@ TEST(ChangeFiles, AMovedObjectSaysHowFarItWasMoved) {
   OpiBelief& moved = comparison.objects[1];
   moved.decided = Status::kMoved;
   moved.prior_id = 4;
+  moved.moved_probability = 0.93;
   comparison.former_W[4] = {-3.0, 9.8, 5.5};
   EXPECT_THAT(ChangesToCsv(comparison), HasSubstr(",4,9,0,0.0030,1.300\n"));
   const auto json = nlohmann::json::parse(ChangesToGeoJson(comparison, {43.7210, 10.2830}));
   EXPECT_NEAR(json["features"][1]["properties"]["moved_m"], 1.3, 1e-9);
   EXPECT_TRUE(json["features"][0]["properties"]["moved_m"].is_null());
+  EXPECT_EQ(json["features"][1]["properties"]["p_moved"], 0.93);
+  EXPECT_TRUE(json["features"][0]["properties"]["p_moved"].is_null());
 }
 
 TEST(ChangeFiles, AnObjectIsOnTheMapWhereItIsOnEarth) {

@@ -118,6 +118,46 @@ TEST(FormerDisplacement, GrowsWithTheDistanceWhateverTheCourse) {
   }
 }
 
+/// Five objects, each place known to 0.1 m; the first went down, and all seem deeper by `all`.
+TwoSessions CompareInDepth(double first, double all, double sigma = 0.1) {
+  TwoSessions two{.former = ObjectsOf(kFivePlaces, sigma), .now = {}, .chances = {}};
+  two.now = two.former;
+  two.now.front().p_W.z() += first;
+  for (ObjectEstimate& object : two.now)
+    object.p_W.z() += all;
+  const Eigen::Matrix4d prior = OffsetPrior(two.params);
+  two.match = FitSessions(two.former, two.now, {0, 1, 2, 3, 4}, two.params, prior);
+  two.chances = ChancesOfSamePlace(two.former, two.now, two.params, prior, two.match);
+  return two;
+}
+
+TEST(FormerDisplacement, AMoveInDepthAloneIsNotCalledTheSamePlace) {
+  for (const double down : {0.6, -0.6}) {
+    EXPECT_LT(CompareInDepth(down, 0.0).chances[0], 0.9) << down;
+    EXPECT_LT(CompareInDepth(1.5 * down, 0.0).chances[0], 0.1) << down;
+    EXPECT_LT(CompareInDepth(down, 0.0, 0.03).chances[0], 0.3) << down;
+    for (std::size_t i = 1; i < 5; ++i)
+      EXPECT_GT(CompareInDepth(down, 0.0).chances[i], 0.97) << down;
+  }
+}
+
+TEST(FormerDisplacement, AnotherTideOrDepthSensorMovesNothing) {
+  for (const double all : {0.1, -0.3, 0.5}) {
+    for (const double chance : CompareInDepth(0.0, all).chances)
+      EXPECT_GT(chance, 0.97) << all;
+    EXPECT_LT(CompareInDepth(0.7, all).chances[0], 0.9) << all;
+  }
+}
+
+TEST(FormerDisplacement, ADepthThatIsKnownBadlyIsNoMove) {
+  TwoSessions two = CompareInDepth(0.0, 0.0);
+  two.now[0].p_W.z() += 0.6;
+  two.now[0].cov_W(2, 2) = 0.25;
+  const Eigen::Matrix4d prior = OffsetPrior(two.params);
+  two.match = FitSessions(two.former, two.now, {0, 1, 2, 3, 4}, two.params, prior);
+  EXPECT_GT(ChancesOfSamePlace(two.former, two.now, two.params, prior, two.match)[0], 0.95);
+}
+
 TEST(FormerDisplacement, UnmatchedObjectsAreLeftAlone) {
   TwoSessions two = CompareTwo({0.0, 0.0}, 0.1);
   two.match.now_of_former = {-1, 1, -1, 3, -1};

@@ -94,6 +94,8 @@ TEST_F(LandmarkFactorTest, RangeIsZeroForTheBoxOfASphere) {
 }
 TEST_F(LandmarkFactorTest, RangeJacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(RangeFactor(camera_, 3.0_m, 0.1_m));
+  ExpectJacobiansMatch(RangeFactor(camera_, 3.0_m, 0.1_m, {1.0, 0.0}));
+  ExpectJacobiansMatch(RangeFactor(camera_, 3.0_m, 0.1_m, {0.0, 1.0}));
 }
 
 TEST_F(LandmarkFactorTest, EdgeIsZeroForTheTangentToTheSphere) {

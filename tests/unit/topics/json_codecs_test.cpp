@@ -107,6 +107,21 @@ TEST(WireForm, OfObjectsStays) {
       R"("probability":0.00021260751983256758}]})");
 }
 
+TEST(WireForm, OfAMovedObjectSaysHowSureThatIs) {
+  OpiBelief moved{.id = 4, .prior_id = 2, .object = {}, .posterior = {.appeared = 0.98}};
+  moved.decided = Status::kMoved;
+  moved.moved_probability = 0.93;
+  moved.object.size = ObjectSize{.radius = 0.2, .sd = 0.02};
+  OpiBelief other = moved;
+  other.moved_probability.reset();
+  const auto decoded =
+      TopicCodec<OpiBeliefs>::Decode(TopicCodec<OpiBeliefs>::Encode({{moved, other}}));
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(decoded->opis.at(0).moved_probability, 0.93);
+  EXPECT_EQ(decoded->opis.at(0).object.RadiusOr(0.5), 0.2);
+  EXPECT_FALSE(decoded->opis.at(1).moved_probability);
+}
+
 TEST(WireForm, OfAFormerSessionStays) { ExpectSameBytes<SessionPrior>(kPrior); }
 
 TEST(WireForm, OfAFormerSessionGivesEachViewItsBoxes) {
