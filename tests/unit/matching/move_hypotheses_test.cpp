@@ -35,14 +35,20 @@ TEST(MoveHypotheses, AreDensities) {
   // Summed over a box wider than all moves; what replaces it may be anywhere.
   constexpr double kStep = 0.1;
   double stayed = 0.0, moved = 0.0;
-  for (double north = -3.2; north <= 3.2; north += kStep)
-    for (double east = -3.2; east <= 3.2; east += kStep)
-      for (double down = -3.2; down <= 3.2; down += kStep) {
-        Displacement apart = Apart(north, down, 0.2);
-        apart.off_W.y() = east;
-        const MoveHypotheses h = WeighMoves(apart, 2.5);
-        stayed += h.stayed * std::pow(kStep, 3), moved += h.moved * std::pow(kStep, 3);
+  const auto add = [&](double north, double east, double down) {
+    Displacement apart = Apart(north, down, 0.2);
+    apart.off_W.y() = east;
+    const MoveHypotheses h = WeighMoves(apart, 2.5);
+    stayed += h.stayed * std::pow(kStep, 3), moved += h.moved * std::pow(kStep, 3);
+  };
+  constexpr int kHalf = 32;  // steps
+  for (int i = -kHalf; i <= kHalf; ++i) {
+    for (int j = -kHalf; j <= kHalf; ++j) {
+      for (int k = -kHalf; k <= kHalf; ++k) {
+        add(kStep * i, kStep * j, kStep * k);
       }
+    }
+  }
   EXPECT_NEAR(stayed, 0.86, 0.01);
   EXPECT_NEAR(moved, 0.14, 0.004);
 }
