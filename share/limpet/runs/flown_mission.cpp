@@ -21,7 +21,7 @@ bool SimulatesAVehicle(const fs::path& file) {
 }  // namespace
 
 fs::path FlownMissionAt(const fs::path& named) {
-  const fs::path usual = MissionFileAt(named);
+  fs::path usual = MissionFileAt(named);
   if (fs::exists(usual) || !fs::is_directory(named)) return usual;
   std::vector<fs::path> flown;
   for (const fs::directory_entry& entry : fs::directory_iterator(named)) {

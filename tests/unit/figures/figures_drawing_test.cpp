@@ -16,7 +16,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 
 TEST(Base64, EncodesTheStandardsExamples) {
   const auto encoded = [](std::string_view text) {
