@@ -16,7 +16,6 @@ namespace limpet {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 class LogAppTest : public ::testing::Test {
  protected:
