@@ -10,11 +10,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "behaviors/BHV_CoverArea.hpp"
 #include "behaviors/BHV_OpRegion.hpp"
+#include "limpet/core/clock.hpp"
 #include "limpet/helm/view_planner.hpp"
 #include "limpet/planning/lane_tours.hpp"
 #include "limpet/planning/survey_tour.hpp"
@@ -24,12 +24,6 @@
 namespace {
 
 using namespace limpet;
-
-double ThreadSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 struct Cost {
   double mean = 0.0, longest = 0.0;  ///< of a decision [s]
@@ -54,9 +48,9 @@ double EditsPerSecond(ViewPlanner& planner, const Pose2& pose) {
   std::vector<SurveyTour> lanes = LaneTours(judge, {});
   TourSearch search(Meters(8.0), Random(1, "bench"));
   constexpr int kEdits = 2000;
-  const double begun = ThreadSeconds();
+  const double begun = ThreadTime().value();
   search.Improve(judge, lanes.front(), kEdits);
-  return kEdits / (ThreadSeconds() - begun);
+  return kEdits / (ThreadTime().value() - begun);
 }
 
 Cost Fly(const SurveyArea& area, double altitude, double way) {
@@ -79,9 +73,9 @@ Cost Fly(const SurveyArea& area, double altitude, double way) {
   Cost cost{.edits_per_s = EditsPerSecond(planner, {nav.north, nav.east, nav.yaw})};
   double spent = 0.0;
   for (double flown = 0.0; flown < way;) {
-    const double begun = ThreadSeconds();
+    const double begun = ThreadTime().value();
     const auto decision = planner.DecideIfDue(running, nav, Seconds(2.0 * flown));
-    const double took = ThreadSeconds() - begun;
+    const double took = ThreadTime().value() - begun;
     if (!decision || !decision->chosen) break;  // all has been seen
     ++cost.decisions;
     spent += took;

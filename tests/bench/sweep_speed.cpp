@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <time.h>
 
+#include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/planning/seen_along.hpp"
 #include "limpet/planning/seen_planes.hpp"
@@ -21,12 +21,6 @@
 namespace {
 
 using namespace limpet;
-
-double ThreadSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Bytes a second that are read of so many, over and over; the best of several tries.
 double ReadingRate(std::size_t bytes) {
@@ -36,7 +30,7 @@ double ReadingRate(std::size_t bytes) {
   double best = 0.0;
   std::uint64_t sum = 0;
   for (int attempt = 0; attempt < 3; ++attempt) {
-    const double begun = ThreadSeconds();
+    const double begun = ThreadTime().value();
     for (int round = 0; round < rounds; ++round) {
       std::uint64_t four[4] = {};
       for (std::size_t i = 0; i + 4 <= words.size(); i += 4) {
@@ -46,7 +40,7 @@ double ReadingRate(std::size_t bytes) {
       sum += four[0] + four[1] + four[2] + four[3];
       words[static_cast<std::size_t>(round) % words.size()] ^= sum & 1U;  // no round is left out
     }
-    const double took = ThreadSeconds() - begun;
+    const double took = ThreadTime().value() - begun;
     best = std::max(best, static_cast<double>(bytes) * rounds / took);
   }
   return best;
@@ -77,7 +71,7 @@ Rates Sweep(Workspace& workspace, const SurveyArea& area, double bytes, Value va
   constexpr double kCurvature = 1.0 / 1.5;
   Random random(1, "sweeps");
   double shown = 0.0;
-  const double begun = ThreadSeconds();
+  const double begun = ThreadTime().value();
   for (int i = 0; i < kMotions; ++i) {
     const Pose2 from{.north = random.Uniform(0.0, area.north_max),
                      .east = random.Uniform(0.0, area.east_max),
@@ -87,7 +81,7 @@ Rates Sweep(Workspace& workspace, const SurveyArea& area, double bytes, Value va
                                      .length = kLength});
     workspace.Rewind(mark);
   }
-  const double took = ThreadSeconds() - begun;
+  const double took = ThreadTime().value() - begun;
   if (shown <= 0.0) fmt::print("nothing was shown\n");
   return {.motions = kMotions / took, .bytes = kMotions * bytes / took};
 }

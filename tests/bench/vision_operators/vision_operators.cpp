@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <numbers>
 #include <vector>
@@ -13,6 +12,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/detectors/blob_finder.hpp"
 #include "limpet/detectors/color_planes.hpp"
@@ -26,11 +26,7 @@ namespace {
 constexpr double kLeastArea = 8.0;
 constexpr double kNoise = 0.8;
 
-double CpuMs() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
+double CpuMs() { return 1e3 * ThreadTime().value(); }
 
 struct Way {
   const char* name;
