@@ -67,12 +67,11 @@ void NavApp::ReportAiding(ReportLines& report) const {
   for (int i = 0; i < all.size(); ++i) {
     const SourceCounts& counts = all.counts(i);
     std::string errors;
-    const auto known = all.source(i).Errors();
-    const auto now = navigator_.has_started() ? all.ErrorsOf(i) : std::nullopt;
-    for (std::size_t k = 0; known && now && k < known->names.size(); ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      errors += fmt::format("{}{} {:.3f} +- {:.3f}", k == 0 ? "" : ", ", known->names[k],
-                            now->value(axis), now->sd(axis));
+    if (navigator_.has_started()) {
+      for (const NamedState& error : all.NamedErrorsOf(i)) {
+        errors += fmt::format("{}{} {:.3f} +- {:.3f}", errors.empty() ? "" : ", ", error.name,
+                              error.value, error.sd);
+      }
     }
     table.AddRow({aiding_[static_cast<std::size_t>(i)].name, std::to_string(counts.taken),
                   std::to_string(counts.refused), std::to_string(counts.late), errors});

@@ -52,9 +52,9 @@ class ObjectLayer {
 
   void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& book) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
+  [[nodiscard]] double RadiusOf(const Painted& object) const;
   /// What a frame without a box says; 0 where it would more likely than not have
   /// been overlooked.
-  [[nodiscard]] double RadiusOf(const Painted& object) const;
   [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Painted& object) const;
   /// Takes the object's looks from all frames of the book.
   void Judge(Painted& object, const ObjectStatuses& book) const;

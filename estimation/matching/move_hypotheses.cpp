@@ -79,8 +79,8 @@ MoveHypotheses WeighMoves(const Displacement& displacement, double farthest) {
 double ChanceMoved(const ObjectEstimate& former, const ObjectEstimate& now, double farthest) {
   const MoveHypotheses weights =
       WeighMoves({.off_W = now.p_W - former.p_W, .cov_W = former.cov_W + now.cov_W}, farthest);
-  const double other = kSameColor * weights.replaced;
-  return weights.moved / (weights.moved + other);
+  const double all = weights.moved + kSameColor * weights.replaced;
+  return all > 0.0 ? weights.moved / all : 0.0;  // too far apart for either
 }
 
 }  // namespace limpet

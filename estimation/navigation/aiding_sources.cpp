@@ -121,4 +121,15 @@ std::optional<SourceErrorEstimate> AidingSources::ErrorsOf(int i) const {
                              .sd = covariance.diagonal().tail<3>().cwiseMax(0.0).cwiseSqrt()};
 }
 
+std::vector<NamedState> AidingSources::NamedErrorsOf(int i) const {
+  std::vector<NamedState> named;
+  const auto known = source(i).Errors();
+  const auto now = ErrorsOf(i);
+  for (std::size_t k = 0; known && now && k < known->names.size(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    named.push_back({known->names[k], now->value(axis), now->sd(axis)});
+  }
+  return named;
+}
+
 }  // namespace limpet

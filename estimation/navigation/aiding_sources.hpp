@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "estimation/navigation/measurement_source.hpp"
+#include "estimation/navigation/named_state.hpp"
 #include "estimation/navigation/time_gate.hpp"
 #include "estimation/smoothing/smoother.hpp"
 
@@ -62,6 +63,8 @@ class AidingSources {
   [[nodiscard]] const SourceCounts& counts(int i) const { return At(i).counts; }
   /// Nothing of a source without slow errors, or before Begin.
   [[nodiscard]] std::optional<SourceErrorEstimate> ErrorsOf(int i) const;
+  /// The same by their names.
+  [[nodiscard]] std::vector<NamedState> NamedErrorsOf(int i) const;
 
  private:
   struct Entry {

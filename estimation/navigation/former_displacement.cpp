@@ -84,7 +84,8 @@ double ChanceOfSamePlace(const Pair& pair, const SessionMatch& match,
   // Of an object of another colour that is the same, the colour was wrong in one of the sessions.
   const double one_object = std::exp(-0.5 * params.ColorCost(pair.former, pair.now));
   const double same = one_object * weights.stayed;
-  return same / (same + one_object * weights.moved + weights.replaced);
+  const double all = same + one_object * weights.moved + weights.replaced;
+  return all > 0.0 ? same / all : 0.0;  // too far apart for any of them
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,17 +34,6 @@ void AddBlock(const Smoother& smoother, int slot, const Names& names,
   }
 }
 
-void AddErrors(const AidingSources& sources, std::vector<NamedState>& states) {
-  for (int source = 0; source < sources.size(); ++source) {
-    const auto known = sources.source(source).Errors();
-    const auto now = sources.ErrorsOf(source);
-    for (std::size_t k = 0; known && now && k < known->names.size(); ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      states.push_back({known->names[k], now->value(axis), now->sd(axis)});
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<NamedState> Navigator::States(double t) const {
@@ -62,7 +52,9 @@ std::vector<NamedState> Navigator::States(double t) const {
     AddBlock(smoother_, (*slots)[0], kTilt, states);
     AddBlock(smoother_, (*slots)[1], kShift, states);
   }
-  AddErrors(aiding(), states);
+  for (int source = 0; source < aiding().size(); ++source) {
+    std::ranges::move(aiding().NamedErrorsOf(source), std::back_inserter(states));
+  }
   return states;
 }
 

@@ -31,6 +31,13 @@ TEST(MoveHypotheses, WhereDepthsAreKnownBadlyTheyTellNothing) {
   EXPECT_GT(ChanceStayed(apart), 0.95);
 }
 
+TEST(MoveHypotheses, WhatIsTooFarApartForAnyOfThemHasNotMoved) {
+  ObjectEstimate here, far;
+  here.cov_W = far.cov_W = 0.01 * Eigen::Matrix3d::Identity();
+  far.p_W.z() = 100.0;
+  EXPECT_EQ(ChanceMoved(here, far, 2.5), 0.0) << "no 0 by 0";
+}
+
 TEST(MoveHypotheses, AreDensities) {
   // Summed over a box wider than all moves; what replaces it may be anywhere.
   constexpr double kStep = 0.1;

@@ -71,6 +71,16 @@ class StockNavTest : public ::testing::Test {
     params.domain = {"course:0:359:360", "speed:0:4:41"};
     Make(params);
   }
+  /// Parked; at points in a stock helm's place.
+  void MakeParked(bool is_stand_in) {
+    HelmApp::Params params;
+    params.domain = {"course:0:359:360", "speed:0:4:41"};
+    params.at_points = is_stand_in;
+    params.start_in_drive = false;
+    link_.published.clear();
+    Make(params);
+    HearAll(10.0);
+  }
   void HearAll(double heading) {
     link_.Send(*app_, topics::kNavX, 3.0);
     link_.Send(*app_, topics::kNavY, 4.0);
@@ -186,13 +196,7 @@ TEST_F(StockNavTest, WhileParkedBehaviorsStandToo) {
 
 TEST_F(StockNavTest, AStopWritesAllOfTheDomainWhereItStandsInForAStockHelm) {
   for (const bool is_stand_in : {true, false}) {
-    HelmApp::Params params;
-    params.domain = {"course:0:359:360", "speed:0:4:41"};
-    params.at_points = is_stand_in;
-    params.start_in_drive = false;
-    link_.published.clear();
-    Make(params);
-    HearAll(10.0);
+    MakeParked(is_stand_in);
     Tick();
     EXPECT_EQ(*link_.Last(topics::kDesiredSpeed), 0.0);
     EXPECT_EQ(Said("DESIRED_HEADING"), is_stand_in) << "a pilot of ours would turn to the north";
@@ -201,13 +205,7 @@ TEST_F(StockNavTest, AStopWritesAllOfTheDomainWhereItStandsInForAStockHelm) {
 
 TEST_F(StockNavTest, AStopIsWrittenAnewInEachIterationWhereItStandsInForAStockHelm) {
   for (const bool is_stand_in : {true, false}) {
-    HelmApp::Params params;
-    params.domain = {"course:0:359:360", "speed:0:4:41"};
-    params.at_points = is_stand_in;
-    params.start_in_drive = false;
-    link_.published.clear();
-    Make(params);
-    HearAll(10.0);
+    MakeParked(is_stand_in);
     Tick();
     Tick();
     Tick();
