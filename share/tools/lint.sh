@@ -2,12 +2,16 @@
 # What a compiler of another make and clang-tidy say of the code. Clang reads every file on its own, so that an #include
 # which a neighbour in a unity build, or another compiler's headers, would hide is missing here, and clang-tidy holds it
 # to .clang-tidy in the same go.
-# What was clean stays so until a file that it reads changes: ~/.cache/limpet/lint knows. The newest files come first;
-# with LIMPET_LINT_SECONDS nothing is begun after so many, and what is left for another time is counted and said.
+# What was clean stays so until a file that it reads changes. Two places know: share/tools/lint_base names the commit
+# whose every file was read and found clean, so that a fresh clone reads what has changed since; and ~/.cache/limpet/lint
+# what this machine has read. A reading that leaves nothing out, of all that is committed, writes lint_base anew; with
+# --all it trusts the cache alone. The newest files come first; with LIMPET_LINT_SECONDS nothing is begun after so many,
+# what is left is counted and said, and where lint_base is known that is a failure.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD
 clean="${XDG_CACHE_HOME:-$HOME/.cache}/limpet/lint"
+base_file="$root/share/tools/lint_base"
 findings="$root/build-lint/findings"
 deadline=$((EPOCHSECONDS + ${LIMPET_LINT_SECONDS:-1000000}))
 commands="$root/build-lint/alone"
@@ -28,6 +32,37 @@ newest_first() { # compile commands: those of files that changed last come first
     NR == FNR { if (!($0 in rank)) rank[$0] = ++n; next }
     { file = $0; sub(".* -c ", "", file); sub(root, "", file)
       printf "%d\t%s\n", file in rank ? rank[file] : n + 1, $0 }' build-lint/newest - | sort -n | cut -f 2-
+}
+
+is_base_known() { git cat-file -e "$(cat "$base_file" 2>/dev/null)^{commit}" 2>/dev/null; }
+
+changed_files() { # since lint_base, committed or not
+  git diff --name-only "$(cat "$base_file")"
+  git ls-files --others --exclude-standard
+}
+
+with_includers() { # list of files: they, and all that include one of them, at whatever remove
+  awk -F '[:"]' '
+    FILENAME == ARGV[1] { reached[$0]; queue[n++] = $0; next }
+    { includers[$3] = includers[$3] ":" $1 }
+    END {
+      for (i = 0; i < n; ++i) {
+        print queue[i]
+        for (name = queue[i]; name != ""; name = index(name, "/") ? substr(name, index(name, "/") + 1) : "") {
+          count = split(includers[name], files, ":")
+          for (k = 2; k <= count; ++k) if (!(files[k] in reached)) { reached[files[k]]; queue[n++] = files[k] }
+        }
+      }
+    }' "$1" <(git grep --untracked -oE '^#include "[^"]+"' -- '*.cpp' '*.hpp')
+}
+
+to_read() { # compile commands: those of files that read something that has changed since lint_base
+  changed_files >build-lint/changed
+  if grep -qE '^(\.clang-tidy|share/cmake/.*|share/tools/(own_code\.cpp|lint\.sh))$' build-lint/changed; then cat; return; fi
+  awk -v root="$root/" '
+    FILENAME == ARGV[1] { wanted[root $0]; next }
+    { file = $0; sub(".* -c ", "", file) }
+    file in wanted' <(with_includers build-lint/changed) -
 }
 
 compile_commands() { # one per line, as a shell reads it; not those of the precompiled headers
@@ -69,7 +104,14 @@ mkdir -p build-lint "$clean"
 find "$clean" -type f -mtime +30 -delete
 : >"$findings"
 prepare
-compile_commands | newest_first | tr '\n' '\0' | xargs -0 -r -P "$(nproc)" -n 1 bash -o pipefail -c 'look_at "$1"' -
+select=cat
+if [ "${1:-}" != --all ]; then
+  if is_base_known; then select=to_read; else echo "lint: share/tools/lint_base names no commit known here" >&2; fi
+fi
+compile_commands | "$select" | newest_first >build-lint/reading
+echo "lint: $(wc -l <build-lint/reading) files to read" >&2
+tr '\n' '\0' <build-lint/reading | xargs -0 -r -P "$(nproc)" -n 1 bash -o pipefail -c 'look_at "$1"' -
 left="$(grep -c left "$findings" || true)"
 [ "$left" -eq 0 ] || echo "lint: $left files left for another time" >&2
-! grep -q bad "$findings"
+if grep -q bad "$findings" || { [ "$left" -gt 0 ] && [ "$select" = to_read ]; }; then exit 1; fi
+[ "$left" -gt 0 ] || [ -n "$(git status --porcelain)" ] || git rev-parse HEAD >"$base_file"
