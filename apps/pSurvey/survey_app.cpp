@@ -2,7 +2,6 @@
 #include "apps/pSurvey/survey_app.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "apps/pSurvey/fix_wait.hpp"
@@ -28,8 +27,6 @@ constexpr double kProgressShare = 0.002, kProgress_m2 = 200.0;
 constexpr double kChanceShare = 0.1;
 /// Coverage falls by so much when the water turns out murkier: what comes then is new.
 constexpr double kTakenBack = 0.05;
-constexpr std::array kPhaseNames{"IDLE",   "ALIGN",  "DIVE", "SURVEY",
-                                 "RETURN", "ASCEND", "FIX",  "DONE"};
 
 SurveyArea AreaOrThrow(const SurveyParams& params, const AppContext& context) {
   Expected<SurveyArea, AreaProblem> area =
@@ -72,10 +69,10 @@ SurveyApp::SurveyApp(const AppContext& context, const Params& params)
 }
 
 void SurveyApp::OnDeploy(const Stamped<bool>& deploy) {
-  if (deploy.value && phase_ == Phase::kIdle) {
+  if (deploy.value && phase_ == SurveyPhase::kIdle) {
     deployed_ = deploy.time;
     PublishArea();
-    Enter(Phase::kAlign, deploy.time);
+    Enter(SurveyPhase::kAlign, deploy.time);
   }
 }
 
@@ -85,7 +82,7 @@ void SurveyApp::Remember() {
   if (!context().runs_live) {
     return;
   }
-  SurveyMemory memory{.phase = NameOf(phase_),
+  SurveyMemory memory{.phase = std::string(NameOf(phase_)),
                       .phase_since = phase_since_.value(),
                       .deployed = deployed_.value_or(Seconds(0.0)).value(),
                       .home_north = {},
@@ -116,11 +113,12 @@ void SurveyApp::TellWhatIsKept(Seconds now) {
 void SurveyApp::Recall() {
   const std::optional<SurveyMemory> memory = RecallSurvey(context().run_folder);
   if (memory && memory->area) RecallArea(*memory->area);
-  const auto name = std::ranges::find(kPhaseNames, memory ? memory->phase : "IDLE");
-  if (!memory || name == kPhaseNames.end() || name == kPhaseNames.begin()) {
+  const SurveyPhase phase =
+      memory ? SurveyPhaseOf(memory->phase).value_or(SurveyPhase::kIdle) : SurveyPhase::kIdle;
+  if (!memory || phase == SurveyPhase::kIdle) {
     return;  // never deployed
   }
-  phase_ = static_cast<Phase>(name - kPhaseNames.begin());
+  phase_ = phase;
   phase_since_ = Seconds(memory->phase_since);
   deployed_ = Seconds(memory->deployed);
   last_progress_ = now();
@@ -130,7 +128,7 @@ void SurveyApp::Recall() {
   }
   TellAgain(now());
   // The former life may have ended with the mission, before anybody heard of it.
-  if (phase_ == Phase::kDone) Publish(topics::kMissionEnd, ended_);
+  if (phase_ == SurveyPhase::kDone) Publish(topics::kMissionEnd, ended_);
 }
 
 void SurveyApp::TellAgain(Seconds now) {
@@ -147,22 +145,22 @@ void SurveyApp::OnReturn(const Stamped<bool>& request) {
     return;
   }
   switch (phase_) {
-    case Phase::kIdle:
-    case Phase::kDone:
+    case SurveyPhase::kIdle:
+    case SurveyPhase::kDone:
       ReportEvent(events::kReturnRequest, "RETURN is left out: no mission is under way");
       break;
-    case Phase::kAlign:  // still at the surface: there it is to stay
+    case SurveyPhase::kAlign:  // still at the surface: there it is to stay
       ended_ = "aborted";
       ReportEvent(events::kReturnRequest, "asked to return before the dive");
       EndMission(request.time);
       break;
-    case Phase::kDive:
-    case Phase::kSurvey:
+    case SurveyPhase::kDive:
+    case SurveyPhase::kSurvey:
       GoHome("asked to return", "aborted", request.time);
       break;
-    case Phase::kReturn:
-    case Phase::kAscend:
-    case Phase::kFix:
+    case SurveyPhase::kReturn:
+    case SurveyPhase::kAscend:
+    case SurveyPhase::kFix:
       ReportEvent(events::kReturnRequest, "RETURN: on the way home already");
       break;
   }
@@ -174,12 +172,12 @@ void SurveyApp::OnSafety(const Stamped<std::string>& action) {
     return;
   }
   ended_ = "aborted";
-  if (phase_ == Phase::kAlign) {
+  if (phase_ == SurveyPhase::kAlign) {
     EndMission(action.time);
-  } else if (phase_ != Phase::kAscend && phase_ != Phase::kFix) {
+  } else if (phase_ != SurveyPhase::kAscend && phase_ != SurveyPhase::kFix) {
     ReportEvent(events::kSurfacing, "SAFETY_ACTION is " + action.value);
     Publish(topics::kSessionSave, "safety: " + action.value);
-    Enter(Phase::kAscend, action.time);
+    Enter(SurveyPhase::kAscend, action.time);
   }
 }
 
@@ -187,7 +185,7 @@ void SurveyApp::OnMissionEnd(const Stamped<std::string>& end) {
   if (IsUnderWay()) {
     ended_ = end.value;
     ReportEvent(events::kMissionEnd, ended_);
-    Enter(Phase::kDone, now());
+    Enter(SurveyPhase::kDone, now());
   }
 }
 
@@ -201,7 +199,7 @@ double SurveyApp::CoveredShare(const Coverage& coverage) const {
 }
 
 void SurveyApp::OnPath(const Stamped<HelmPath>& path) {
-  if (phase_ == Phase::kSurvey && path.value.purpose == kHomeSource) {
+  if (phase_ == SurveyPhase::kSurvey && path.value.purpose == kHomeSource) {
     GoHome("no more than the way home is in reach", "timeout", now());
   }
 }
@@ -256,13 +254,11 @@ double SurveyApp::CourseHome() const {
   return std::atan2(home_->east - nav_->value.east, home_->north - nav_->value.north);
 }
 
-const char* SurveyApp::NameOf(Phase phase) { return kPhaseNames[static_cast<std::size_t>(phase)]; }
-
-void SurveyApp::Enter(Phase phase, Seconds now) {
+void SurveyApp::Enter(SurveyPhase phase, Seconds now) {
   phase_ = phase;
   phase_since_ = now;
   last_progress_ = now;
-  ReportEvent(events::kPhase, NameOf(phase));
+  ReportEvent(events::kPhase, std::string(NameOf(phase)));
   Publish(topics::kSurveyPhase, std::string(NameOf(phase)));
   Remember();
 }
@@ -271,7 +267,7 @@ void SurveyApp::GoHome(const std::string& reason, const std::string& ended, Seco
   ended_ = ended;
   ReportEvent(events::kGoingHome, reason);
   Publish(topics::kSessionSave, reason);
-  Enter(Phase::kReturn, now);
+  Enter(SurveyPhase::kReturn, now);
 }
 
 void SurveyApp::AlignAtSurface(Seconds now) {
@@ -280,7 +276,7 @@ void SurveyApp::AlignAtSurface(Seconds now) {
   }
   home_ = HomePoint{.north = nav_->value.north, .east = nav_->value.east};
   Publish(topics::kSurveyHome, *home_);
-  Enter(Phase::kDive, now);
+  Enter(SurveyPhase::kDive, now);
 }
 
 void SurveyApp::TrackTransit(Seconds now) {
@@ -298,17 +294,19 @@ void SurveyApp::TrackTransit(Seconds now) {
 
 void SurveyApp::EndMission(Seconds now) {
   ReportEvent(events::kMissionEnd, ended_);
-  Enter(Phase::kDone, now);
+  Enter(SurveyPhase::kDone, now);
   Publish(topics::kSessionSave, std::string("mission ended"));
   Publish(topics::kMissionEnd, ended_);
 }
 
-bool SurveyApp::IsUnderWay() const { return phase_ != Phase::kIdle && phase_ != Phase::kDone; }
+bool SurveyApp::IsUnderWay() const {
+  return phase_ != SurveyPhase::kIdle && phase_ != SurveyPhase::kDone;
+}
 
 bool SurveyApp::EndsHopeless(Seconds now) {
   const Seconds heard = std::max(nav_ ? nav_->time : phase_since_, *deployed_);
-  const bool is_passage =
-      phase_ == Phase::kDive || phase_ == Phase::kReturn || phase_ == Phase::kAscend;
+  const bool is_passage = phase_ == SurveyPhase::kDive || phase_ == SurveyPhase::kReturn ||
+                          phase_ == SurveyPhase::kAscend;
   if (now - heard > params_.lost) {
     Warn(warnings::kNavLost, "no NAV_STATE within lost_s; the mission ends here");
     ended_ = "lost";
@@ -344,36 +342,36 @@ void SurveyApp::Tick(Seconds now) {
 
 void SurveyApp::WalkOn(Seconds now) {
   switch (phase_) {
-    case Phase::kIdle:
-    case Phase::kDone:
+    case SurveyPhase::kIdle:
+    case SurveyPhase::kDone:
       break;
-    case Phase::kAlign:
+    case SurveyPhase::kAlign:
       AlignAtSurface(now);
       break;
-    case Phase::kDive: {
+    case SurveyPhase::kDive: {
       const bool is_at_altitude =
           nav_->value.altitude && std::abs(*nav_->value.altitude - params_.altitude.value()) <
                                       params_.altitude_tolerance.value();
       if (is_at_altitude) {
-        Enter(Phase::kSurvey, now);
+        Enter(SurveyPhase::kSurvey, now);
         TrackTransit(now);
       }
       break;
     }
-    case Phase::kSurvey:
+    case SurveyPhase::kSurvey:
       Survey(now);
       break;
-    case Phase::kReturn:
+    case SurveyPhase::kReturn:
       if (DistanceHome() < params_.home_radius.value()) {
-        Enter(Phase::kAscend, now);
+        Enter(SurveyPhase::kAscend, now);
       }
       break;
-    case Phase::kAscend:
+    case SurveyPhase::kAscend:
       if (nav_->value.down < params_.surface_depth.value()) {
-        Enter(Phase::kFix, now);
+        Enter(SurveyPhase::kFix, now);
       }
       break;
-    case Phase::kFix:
+    case SurveyPhase::kFix:
       if (FixWait::AtTheEnd(params_).IsOver(now - phase_since_, nav_->value)) {
         EndMission(now);
       }

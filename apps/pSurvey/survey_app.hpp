@@ -17,6 +17,7 @@
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/safety.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 
@@ -33,8 +34,6 @@ class SurveyApp final : public App {
   void Report(ReportLines& report) const override;
 
  private:
-  enum class Phase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
-
   /// Of what pNav does not vouch for only the silence counts.
   void OnNav(const Stamped<NavState>& nav);
   /// Learns from it what the way home takes, and says so.
@@ -61,7 +60,7 @@ class SurveyApp final : public App {
     given_up_since_ = gives_up.value ? std::optional(now()) : std::nullopt;
   }
 
-  void Enter(Phase phase, Seconds now);
+  void Enter(SurveyPhase phase, Seconds now);
   void GoHome(const std::string& reason, const std::string& ended, Seconds now);
   void AlignAtSurface(Seconds now);
   void Survey(Seconds now);
@@ -87,7 +86,6 @@ class SurveyApp final : public App {
   void Recall();
   /// Area, home and phase, for those who have come or come back.
   void TellAgain(Seconds now);
-  [[nodiscard]] static const char* NameOf(Phase phase);
   /// Objects that the helm still wants to look at.
   [[nodiscard]] std::ptrdiff_t OpenRevisits() const;
   [[nodiscard]] std::optional<Seconds> TimeToTarget() const;
@@ -104,7 +102,7 @@ class SurveyApp final : public App {
   Params params_;
   SurveyArea area_;
   Region region_;
-  Phase phase_ = Phase::kIdle;
+  SurveyPhase phase_ = SurveyPhase::kIdle;
   Seconds phase_since_;
   Seconds told_;
   std::optional<Seconds> deployed_;

@@ -12,7 +12,7 @@ namespace limpet {
 std::optional<Seconds> SurveyApp::TimeToTarget() const {
   const double seconds = (now() - phase_since_).value();
   const double share = CoveredShare(coverage_);
-  if (phase_ != Phase::kSurvey || share < 0.05 || seconds <= 0.0) {
+  if (phase_ != SurveyPhase::kSurvey || share < 0.05 || seconds <= 0.0) {
     return std::nullopt;
   }
   return Seconds(std::max(0.0, params_.coverage_target - share) * seconds / share);
@@ -30,7 +30,7 @@ void SurveyApp::Report(ReportLines& report) const {
   }
   report.Pair("Covered", fmt::format("{:.1f} % of {:.1f} % ({})", 100.0 * CoveredShare(coverage_),
                                      100.0 * params_.coverage_target, params_.coverage_kind));
-  if (phase_ == Phase::kSurvey && transit_.is_under_way()) {
+  if (phase_ == SurveyPhase::kSurvey && transit_.is_under_way()) {
     report.Pair("Transit", fmt::format("{:.0f} m to the area", transit_.to_go_m()));
   }
   const auto left = TimeToTarget();
@@ -54,7 +54,7 @@ void SurveyApp::Report(ReportLines& report) const {
                                        "course",
                                        least, most));
   }
-  if (phase_ == Phase::kDone) {
+  if (phase_ == SurveyPhase::kDone) {
     report.Pair("Ended", ended_);
   }
 }

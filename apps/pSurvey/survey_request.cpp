@@ -14,7 +14,7 @@
 namespace limpet {
 
 bool SurveyApp::IsAtSurface() const {
-  const bool is_before_the_dive = phase_ == Phase::kIdle || phase_ == Phase::kAlign;
+  const bool is_before_the_dive = phase_ == SurveyPhase::kIdle || phase_ == SurveyPhase::kAlign;
   return is_before_the_dive && (!nav_ || nav_->value.down < params_.surface_depth.value());
 }
 

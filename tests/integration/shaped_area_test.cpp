@@ -13,6 +13,7 @@
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/scoring/coverage_score.hpp"
+#include "limpet/topics/survey_phase.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace limpet {
@@ -63,7 +64,7 @@ struct Trespass {
 Trespass TrespassOf(const SessionRecord& record, const SurveyArea& area) {
   const Region region(area);
   const SurveyShape shape = *SurveyShape::Of(area);
-  const double home = record.PhaseStart("RETURN").value_or(Seconds(1e9)).value();
+  const double home = record.PhaseStart(SurveyPhase::kReturn).value_or(Seconds(1e9)).value();
   Trespass worst;
   bool has_entered = false;
   for (std::size_t i = 0; i < record.truth.size(); ++i) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/topics/survey_phase.hpp"
+
 namespace limpet {
 
 std::string RunName(const FigureSource& source) {
@@ -32,7 +34,7 @@ const PoseTrack& WayOf(const FigureSource& source) {
 double SurveyStartOf(const FigureSource& source) {
   const PoseTrack& way = WayOf(source);
   const double first = way.empty() ? 0.0 : way.time(0);
-  return source.record.PhaseStart("SURVEY").value_or(Seconds(first)).value();
+  return source.record.PhaseStart(SurveyPhase::kSurvey).value_or(Seconds(first)).value();
 }
 
 std::vector<Figure> FiguresOf(const FigureSource& source) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {
@@ -16,7 +17,7 @@ bool IsDeployed(const DeploymentSigns& signs) { return ParseFlag(signs.deploy).v
 
 bool IsUnderWay(const DeploymentSigns& signs) {
   return IsDeployed(signs) && (!signs.has_helm || signs.helm_stop == "clear") &&
-         (!signs.has_survey || (!signs.phase.empty() && signs.phase != "IDLE"));
+         (!signs.has_survey || (!signs.phase.empty() && signs.phase != NameOf(SurveyPhase::kIdle)));
 }
 
 std::string Shown(const std::string& value) { return value.empty() ? "not heard" : value; }
@@ -64,7 +65,8 @@ Deployment::Step Deployment::Mind(const DeploymentSigns& signs, Seconds now) {
   if (writes_ == 0 && helm_hears) {
     return Write("all up; DEPLOY = true", now);
   }
-  const bool is_lost = !IsDeployed(signs) || (signs.has_survey && signs.phase == "IDLE");
+  const bool is_lost =
+      !IsDeployed(signs) || (signs.has_survey && signs.phase == NameOf(SurveyPhase::kIdle));
   if (writes_ > 0 && is_lost && writes_ < kMostWrites && now - last_write_ > kAgainAfter) {
     return Write(fmt::format("not under way yet ({}); DEPLOY = true again", WhyNot(signs)), now);
   }

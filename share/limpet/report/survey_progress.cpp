@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/topics/survey_phase.hpp"
+
 namespace limpet {
 namespace {
 
@@ -19,15 +21,24 @@ std::string DetailOf(const SessionRecord& record, const Coverage& coverage) {
 }  // namespace
 
 std::string TextOfPhase(const std::string& phase) {
-  static const std::map<std::string, std::string> texts{
-      {"ALIGN", "waiting at the surface for a good fix"},
-      {"DIVE", "diving to survey altitude"},
-      {"RETURN", "on the way home"},
-      {"ASCEND", "coming up"},
-      {"FIX", "last fixes at the surface"},
-      {"DONE", "ended"}};
-  const auto found = texts.find(phase);
-  return found != texts.end() ? found->second : "";
+  switch (SurveyPhaseOf(phase).value_or(SurveyPhase::kIdle)) {
+    case SurveyPhase::kAlign:
+      return "waiting at the surface for a good fix";
+    case SurveyPhase::kDive:
+      return "diving to survey altitude";
+    case SurveyPhase::kReturn:
+      return "on the way home";
+    case SurveyPhase::kAscend:
+      return "coming up";
+    case SurveyPhase::kFix:
+      return "last fixes at the surface";
+    case SurveyPhase::kDone:
+      return "ended";
+    case SurveyPhase::kIdle:
+    case SurveyPhase::kSurvey:  // there figures say more
+      break;
+  }
+  return "";
 }
 
 void SurveyProgress::TellWarning(const WarningRecord& warning, Seconds time,

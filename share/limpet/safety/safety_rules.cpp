@@ -5,6 +5,7 @@
 #include <array>
 
 #include "limpet/safety/safety_rule.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {
@@ -209,16 +210,23 @@ std::string_view NameOf(SafetyPhase phase) {
 }
 
 SafetyPhase SafetyPhaseOf(std::string_view survey_phase) {
-  constexpr std::array<std::pair<std::string_view, SafetyPhase>, 6> kPhases{
-      {{"ALIGN", SafetyPhase::kAlign},
-       {"DIVE", SafetyPhase::kDive},
-       {"SURVEY", SafetyPhase::kSurvey},
-       {"RETURN", SafetyPhase::kReturn},
-       {"ASCEND", SafetyPhase::kAscend},
-       {"FIX", SafetyPhase::kAscend}}};
-  const auto* const found =
-      std::ranges::find(kPhases, survey_phase, &std::pair<std::string_view, SafetyPhase>::first);
-  return found == kPhases.end() ? SafetyPhase::kIdle : found->second;
+  switch (SurveyPhaseOf(survey_phase).value_or(SurveyPhase::kIdle)) {
+    case SurveyPhase::kAlign:
+      return SafetyPhase::kAlign;
+    case SurveyPhase::kDive:
+      return SafetyPhase::kDive;
+    case SurveyPhase::kSurvey:
+      return SafetyPhase::kSurvey;
+    case SurveyPhase::kReturn:
+      return SafetyPhase::kReturn;
+    case SurveyPhase::kAscend:
+    case SurveyPhase::kFix:
+      return SafetyPhase::kAscend;
+    case SurveyPhase::kIdle:
+    case SurveyPhase::kDone:
+      break;
+  }
+  return SafetyPhase::kIdle;
 }
 
 std::span<const SafetyRule, kSafetyRules> SafetyRules() { return kTable; }

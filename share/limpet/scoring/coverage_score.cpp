@@ -10,6 +10,7 @@
 #include "limpet/scoring/disc_in_rectangle.hpp"
 #include "limpet/survey/sight_obstacles.hpp"
 #include "limpet/survey/survey_shape.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {
@@ -338,15 +339,15 @@ std::optional<double> PathToSee(const SurveyFrames& frames, std::vector<Eigen::V
 
 SurveyFrames FramesOfSurvey(const SessionRecord& record, const ReportSettings& settings) {
   SurveyFrames frames;
-  const auto start = record.PhaseStart("SURVEY");
+  const auto start = record.PhaseStart(SurveyPhase::kSurvey);
   if (!start || record.truth.empty()) return frames;
-  const auto ascent = record.PhaseStart("ASCEND");
+  const auto ascent = record.PhaseStart(SurveyPhase::kAscend);
   const double last = record.truth.time(record.truth.size() - 1);
   const double end = ascent ? std::min(ascent->value(), last) : last;
   const double period = 1.0 / settings.frame_rate_hz;
   frames.start_s = start->value();
   frames.start_path_m = record.truth.PathAt(start->value());
-  const auto dive = record.PhaseStart("DIVE").value_or(*start);
+  const auto dive = record.PhaseStart(SurveyPhase::kDive).value_or(*start);
   for (double k = std::ceil(dive.value() / period); k * period < start->value(); k += 1.0) {
     if (const auto X_WB = record.truth.At(k * period)) frames.dive_X_WB.push_back(*X_WB);
   }

@@ -6,6 +6,7 @@
 
 #include "limpet/planning/region.hpp"
 #include "limpet/survey/survey_shape.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {
@@ -18,7 +19,7 @@ class SurveyPhases {
   /// REQUIRES: times that do not go back.
   [[nodiscard]] bool AreAt(double time) {
     while (next_ < phases_.size() && phases_[next_].time.value() <= time) {
-      is_surveying_ = phases_[next_].value == "SURVEY";
+      is_surveying_ = phases_[next_].value == NameOf(SurveyPhase::kSurvey);
       ++next_;
     }
     return is_surveying_;

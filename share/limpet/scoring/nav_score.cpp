@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "limpet/topics/survey_phase.hpp"
+
 namespace limpet {
 namespace {
 
@@ -115,7 +117,7 @@ NavScore ScoreNavigation(const SessionRecord& record, double start_s) {
   score.position_rmse_m = RootMeanSquare(squares, pairs.size());
   score.aligned_rmse_m = RootMeanSquare(aligned_squares, pairs.size());
   // At the surface GPS returns: from then on it is no longer the survey's drift that shows.
-  const auto ascent = record.PhaseStart("ASCEND");
+  const auto ascent = record.PhaseStart(SurveyPhase::kAscend);
   const double end_s = ascent ? ascent->value() : std::numeric_limits<double>::infinity();
   score.final_error_m = ErrorAtEnd(record.nav, record.truth, end_s);
   score.dead_reckoning_final_error_m = ErrorAtEnd(record.dead_reckoning, record.truth, end_s);

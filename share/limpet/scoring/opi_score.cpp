@@ -7,6 +7,9 @@
 namespace limpet {
 namespace {
 
+// The judge's own yardsticks, whatever a mission has the vehicle take for moved or decided.
+
+/// Farther from a true object a report is of none [m].
 constexpr double kMatchRadius = 2.5;
 /// An object this far or farther from its former place was moved; places are written with decimals,
 /// whose difference rounding may make less [m].

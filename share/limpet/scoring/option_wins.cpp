@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "limpet/topics/survey_phase.hpp"
+
 namespace limpet {
 namespace {
 
@@ -13,7 +15,8 @@ namespace {
 double WayFlown(const SessionRecord& record, const PoseTrack& track, std::size_t index) {
   if (track.empty()) return 0.0;
   double end = track.time(track.size() - 1);
-  if (const auto ascent = record.PhaseStart("ASCEND")) end = std::min(end, ascent->value());
+  if (const auto ascent = record.PhaseStart(SurveyPhase::kAscend))
+    end = std::min(end, ascent->value());
   if (index + 1 < record.decisions.size()) {
     end = std::min(end, record.decisions[index + 1].time.value());
   }

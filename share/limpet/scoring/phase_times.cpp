@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "limpet/topics/survey_phase.hpp"
+
 namespace limpet {
 namespace {
 
@@ -31,10 +33,10 @@ std::vector<PhaseTime> TimesOfPhases(const SessionRecord& record, Seconds end) {
   const auto& phases = record.phases;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const std::string& name = phases[i].value;
-    if (name == "IDLE") continue;
+    if (name == NameOf(SurveyPhase::kIdle)) continue;
     const Seconds from = phases[i].time;
     const Seconds until = std::max(i + 1 < phases.size() ? phases[i + 1].time : end, from);
-    const double up = name == "SURVEY" ? TimeUp(record, from, until) : 0.0;
+    const double up = name == NameOf(SurveyPhase::kSurvey) ? TimeUp(record, from, until) : 0.0;
     Add(name, (until - from).value() - up, times);
     if (up > 0.0) Add(kSurfaceFixPhase, up, times);
   }

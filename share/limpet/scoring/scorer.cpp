@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/topics/survey_phase.hpp"
+
 namespace limpet {
 namespace {
 
@@ -46,7 +48,8 @@ void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,
   const std::size_t last = record.truth.size() - 1;
   score.home_error_m = std::hypot(record.truth.north(last) - scenario.start.north_m,
                                   record.truth.east(last) - scenario.start.east_m);
-  const double start = record.PhaseStart("SURVEY").value_or(Seconds(record.truth.time(0))).value();
+  const double start =
+      record.PhaseStart(SurveyPhase::kSurvey).value_or(Seconds(record.truth.time(0))).value();
   score.survey_start_s = start - record.truth.time(0);
   score.obstacles = ScoreObstacles(record.truth, scenario);
   score.fences = ScoreFences(record);

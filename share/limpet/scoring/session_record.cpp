@@ -12,6 +12,7 @@
 #include "limpet/topics/chips.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/topics/surface_fix.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {
@@ -100,14 +101,15 @@ void CollectWater(SessionRecord& record, const Message& message) {
 }
 
 void CollectCurrent(SessionRecord& record, const Message& message) {
-  if (record.PhaseStart("ASCEND")) return;
+  if (record.PhaseStart(SurveyPhase::kAscend)) return;
   if (const auto current = Read(topics::kNavCurrent, message)) record.current = *current;
 }
 
 void CollectEnergy(SessionRecord& record, const Message& message) {
   const auto state = Read(topics::kEnergyState, message);
   if (!state) return;
-  const bool is_going_home = record.PhaseStart("RETURN") || record.PhaseStart("ASCEND");
+  const bool is_going_home =
+      record.PhaseStart(SurveyPhase::kReturn) || record.PhaseStart(SurveyPhase::kAscend);
   if (!record.energy) record.energy.emplace();
   record.energy->Add(*state, is_going_home);
 }
@@ -232,9 +234,9 @@ bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {
          height <= static_cast<double>(cell.seen_height);
 }
 
-std::optional<Seconds> SessionRecord::PhaseStart(const std::string& phase) const {
+std::optional<Seconds> SessionRecord::PhaseStart(SurveyPhase phase) const {
   const auto found = std::find_if(phases.begin(), phases.end(),
-                                  [&](const auto& entry) { return entry.value == phase; });
+                                  [&](const auto& entry) { return entry.value == NameOf(phase); });
   return found != phases.end() ? std::optional<Seconds>(found->time) : std::nullopt;
 }
 

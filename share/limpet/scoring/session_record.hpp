@@ -15,6 +15,7 @@
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 
@@ -72,7 +73,7 @@ struct SessionRecord {
   void AddCut(const std::string& why_and_where, Seconds elapsed);
 
   /// Start of the first phase of this name, or nothing.
-  [[nodiscard]] std::optional<Seconds> PhaseStart(const std::string& phase) const;
+  [[nodiscard]] std::optional<Seconds> PhaseStart(SurveyPhase phase) const;
 
   std::string name;    ///< discovery, change, ...
   std::string former;  ///< session that the vehicle compared with (SESSION_PRIOR); empty: none

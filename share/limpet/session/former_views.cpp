@@ -10,6 +10,7 @@
 #include "limpet/core/config.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {

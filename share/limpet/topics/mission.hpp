@@ -134,12 +134,6 @@ struct ThrusterCommand {
   }
 };
 
-/// True for the phases of SURVEY_PHASE in which camera frames are of the ground: from the dive to
-/// the way home. Without a mission manager (no phase: a replayed log, a bench) all are.
-[[nodiscard]] inline bool IsMappingPhase(std::string_view phase) {
-  return phase.empty() || phase == "DIVE" || phase == "SURVEY" || phase == "RETURN";
-}
-
 namespace topics {
 inline const auto kSurveyArea = Declare<SurveyArea>(
     "SURVEY_AREA", "area to cover",

@@ -10,6 +10,7 @@
 #include "estimation/change/frame_gate.hpp"
 #include "limpet/core/random.hpp"
 #include "limpet/topics/mission.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {

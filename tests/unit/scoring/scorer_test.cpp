@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limpet/topics/survey_phase.hpp"
 #include "tests/support/synthetic_session.hpp"
 
 namespace limpet {
@@ -98,7 +99,7 @@ TEST(Scorer, ComparesWithDeadReckoningAtTheEnd) {
 
 TEST(Scorer, TakesTheErrorAtTheEndBeforeFixesAtTheSurfaceMendIt) {
   SessionRecord record = RecordOf(Brief(Discovery()));
-  const Seconds after = record.PhaseStart("ASCEND").value() + Seconds(60.0);
+  const Seconds after = record.PhaseStart(SurveyPhase::kAscend).value() + Seconds(60.0);
   for (PoseTrack* track : {&record.truth, &record.nav, &record.dead_reckoning}) {
     track->Add(after, Pose{});
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/topics/simulation.hpp"
+#include "limpet/topics/survey_phase.hpp"
 #include "tests/support/synthetic_session.hpp"
 
 namespace limpet {
@@ -70,7 +71,7 @@ TEST(SessionRecord, NotesAPhaseOnceHoweverOftenItIsRepeated) {
     record.Collect(MessageOf(topics::kSurveyPhase, i, std::string("SURVEY ")));
   }
   ASSERT_EQ(record.phases.size(), 1U);
-  EXPECT_EQ(record.PhaseStart("SURVEY")->value(), kEpoch);
+  EXPECT_EQ(record.PhaseStart(SurveyPhase::kSurvey)->value(), kEpoch);
 }
 
 TEST(SessionRecord, AddsUpTheGridFromItsChanges) {
