@@ -105,8 +105,8 @@ void NavApp::OnFog(const Stamped<double>& rate) {
 }
 
 void NavApp::OnThrusters(const Stamped<ThrusterCommand>& command) {
-  const ThrusterCommand& c = command.value;
-  const ThrusterVector share{c.t1, c.t2, c.t3, c.t4, c.t5, c.t6};
+  const auto shares = command.value.Shares();
+  const Eigen::Map<const ThrusterVector> share(shares.data());
   navigator_.AddForce(command.time.value(), full_force_B_ * share.cwiseMax(-1.0).cwiseMin(1.0));
 }
 

@@ -23,7 +23,7 @@ Pilot::Gains GainsOf(const PilotApp::Params& params) {
   gains.depth.depth = params.depth_gain;
   gains.depth.rate = params.depth_rate_gain;
   gains.depth.max_rate = params.max_dive_speed.value();
-  gains.depth.surface_depth = params.surface_depth.value();
+  gains.depth.afloat_depth = params.afloat_depth.value();
   gains.sway.max_force = params.max_sway.value();
   return gains;
 }
@@ -169,8 +169,8 @@ void PilotApp::Fly(Seconds now) {
   const Seconds dt = now - *last_step_;
   last_step_ = now;
   command_ = Control(now, dt.value());
-  const ThrusterCommand& c = command_;
-  if (!std::isfinite(c.t1 + c.t2 + c.t3 + c.t4 + c.t5 + c.t6)) {
+  const auto shares = command_.Shares();
+  if (!std::ranges::all_of(shares, [](double share) { return std::isfinite(share); })) {
     Warn(warnings::kCommandNotFinite,
          "the control laws gave no number: thrusters stopped, laws reset");
     Rest();

@@ -28,7 +28,7 @@ class PilotApp final : public App {
     double depth_gain = DepthController::Gains{}.depth;
     double depth_rate_gain = DepthController::Gains{}.rate;
     MetersPerSecond max_dive_speed{DepthController::Gains{}.max_rate};
-    Meters surface_depth{DepthController::Gains{}.surface_depth};
+    Meters afloat_depth{DepthController::Gains{}.afloat_depth};
     Newtons max_sway{SwayController::Gains{}.max_force};
     MetersPerSecond degraded_speed{0.25};
 
@@ -48,7 +48,7 @@ class PilotApp final : public App {
             InRange(0.05, 10.0));
       visit("max_dive_speed_mps", max_dive_speed, "Fastest dive and ascent",
             InRange(0.02_mps, 1.0_mps));
-      visit("surface_depth_m", surface_depth, "Shallower than this, buoyancy holds the vehicle",
+      visit("afloat_depth_m", afloat_depth, "Shallower than this, buoyancy holds the vehicle",
             InRange(0.0_m, 2.0_m));
       visit("max_sway_n", max_sway, "Greatest side force", InRange(0.0_n, 100.0_n));
       visit("degraded_speed_mps", degraded_speed, "Greatest speed while SAFETY_ACTION is degrade",

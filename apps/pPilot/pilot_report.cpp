@@ -57,9 +57,10 @@ void PilotApp::Report(ReportLines& report) const {
   add("depth [m]", depth_, nav.down, wanted(depth_) - nav.down);
   report.Add(table);
   report.Blank();
-  const ThrusterCommand& c = command_;
-  report.Pair("Command", fmt::format("{:+.2f} {:+.2f} {:+.2f} {:+.2f} {:+.2f} {:+.2f}", c.t1, c.t2,
-                                     c.t3, c.t4, c.t5, c.t6));
+  const auto shares = command_.Shares();
+  const std::size_t count = command_.t8 ? 8 : command_.t7 ? 7 : 6;
+  report.Pair("Command",
+              fmt::format("{:+.2f}", fmt::join(shares.begin(), shares.begin() + count, " ")));
 }
 
 }  // namespace limpet

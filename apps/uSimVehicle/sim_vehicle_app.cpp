@@ -139,10 +139,14 @@ bool SimVehicleApp::AwaitsFormerTruth(Seconds now) {
 }
 
 void SimVehicleApp::OnCommand(const Stamped<ThrusterCommand>& command) {
-  const ThrusterCommand& c = command.value;
-  ThrusterVector thrust;
-  thrust << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
-  if (watchdog_.Hear(thrust, now())) {
+  const auto shares = command.value.Shares();
+  const std::size_t count = file_.params.thrusters.thrusters.size();
+  if (std::any_of(shares.begin() + count, shares.end(),
+                  [](double share) { return share != 0.0; })) {
+    Warn(warnings::kCommandRefused,
+         fmt::format("THRUSTER_COMMAND is for more thrusters than the vehicle's {}: not obeyed",
+                     count));
+  } else if (watchdog_.Hear(Eigen::Map<const ThrusterVector>(shares.data()), now())) {
     ClearWarning(warnings::kCommandRefused);
   } else {
     Warn(warnings::kCommandRefused,

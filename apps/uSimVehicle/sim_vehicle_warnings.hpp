@@ -21,7 +21,8 @@ inline const WarningId kCommandRefused = DeclareWarning(
     "COMMAND_REFUSED",
     {.severity = Severity::kWarning,
      .raised_by = {"uSimVehicle"},
-     .meaning = "A THRUSTER_COMMAND is not finite or beyond full thrust; it was not obeyed.",
+     .meaning = "A THRUSTER_COMMAND is not finite, beyond full thrust or for a thruster that the "
+                "vehicle has not; it was not obeyed.",
      .action = "See who writes THRUSTER_COMMAND.",
      .clears = "With the next command that can be obeyed."});
 

@@ -24,7 +24,7 @@ double DepthController::MoveReference(const Input& input, double dt) {
 }
 
 double DepthController::Update(const Input& input, double dt, bool is_saturated) {
-  const bool stays_up = std::max(input.depth, input.desired_depth) < gains_.surface_depth;
+  const bool stays_up = std::max(input.depth, input.desired_depth) < gains_.afloat_depth;
   if (stays_up) {
     Reset(input.depth);
     return 0.0;

@@ -20,7 +20,7 @@ class DepthController {
     double max_rate = 0.3;           ///< of the reference [m/s]
     double max_acceleration = 0.15;  ///< of the reference [m/s^2]
     double max_lead = 0.5;           ///< of the reference over the vehicle [m]
-    double surface_depth = 0.25;     ///< shallower than this is at the surface [m]
+    double afloat_depth = 0.25;      ///< shallower than this, buoyancy holds the vehicle [m]
   };
   struct Input {
     double depth = 0.0, depth_rate = 0.0;  ///< [m, m/s], down positive

@@ -7,6 +7,8 @@
 #include "limpet/core/frames.hpp"
 
 namespace limpet {
+
+static_assert(ThrusterCommand::kMost == kMostThrusters);
 namespace {
 
 /// Share of the wanted speed for a vehicle with its bow so far up or down. Ahead and down together
@@ -25,7 +27,8 @@ Pilot::Pilot(const Gains& gains, const VehicleParams& vehicle)
       sway_(gains.sway, DeriveHydrodynamics(vehicle)),
       drift_(gains.drift),
       depth_(gains.depth, DeriveHydrodynamics(vehicle)),
-      allocation_(vehicle.thrusters) {}
+      allocation_(vehicle.thrusters),
+      thrusters_(vehicle.thrusters.thrusters.size()) {}
 
 void Pilot::Reset(const NavState& nav) {
   heading_.Reset();
@@ -85,8 +88,7 @@ ThrusterCommand Pilot::Rise(const NavState& nav, double dt) {
 ThrusterCommand Pilot::Allocate(const Wrench& wanted) {
   const ThrustAllocation::Result result = allocation_.Allocate(wanted);
   is_saturated_ = result.is_saturated;
-  const ThrusterVector& c = result.command;
-  return {.t1 = c(0), .t2 = c(1), .t3 = c(2), .t4 = c(3), .t5 = c(4), .t6 = c(5)};
+  return ThrusterCommand::Of({result.command.data(), thrusters_});
 }
 
 }  // namespace limpet

@@ -61,6 +61,7 @@ class Pilot {
   DriftEstimate drift_;
   DepthController depth_;
   ThrustAllocation allocation_;
+  std::size_t thrusters_;                                ///< that the vehicle has
   Eigen::Vector2d current_B_ = Eigen::Vector2d::Zero();  ///< as estimated in the last step [m/s]
   bool is_saturated_ = false;
 };

@@ -15,7 +15,7 @@ namespace {
 /// The largest share of `step`, at most 1, that keeps every thruster within `limit`.
 double FeasibleShare(const ThrusterVector& thrust, const ThrusterVector& step, double limit) {
   double share = 1.0;
-  for (int i = 0; i < kThrusters; ++i) {
+  for (int i = 0; i < kMostThrusters; ++i) {
     const double room = step(i) > 0.0 ? limit - thrust(i) : limit + thrust(i);
     const double need = std::abs(step(i));
     if (need > room) share = std::min(share, std::max(0.0, room) / need);
@@ -26,10 +26,11 @@ double FeasibleShare(const ThrusterVector& thrust, const ThrusterVector& step, d
 /// Thrusts per unit of each of the axes, the others of them zero: Fossen 2011 eq. 12.276,
 /// W^-1 B' (B W^-1 B')^-1.
 template <int kAxes>
-Eigen::MatrixXd ThrustFor(const Eigen::Matrix<double, 6, kThrusters>& wrench_per_thrust,
-                          const std::vector<int>& axes, const ThrusterVector& cheapness) {
-  const Eigen::Matrix<double, kAxes, kThrusters> B = wrench_per_thrust(axes, Eigen::all);
-  const Eigen::Matrix<double, kThrusters, kAxes> weighted = cheapness.asDiagonal() * B.transpose();
+Eigen::MatrixXd ThrustFor(const ThrusterWrenches& wrench_per_thrust, const std::vector<int>& axes,
+                          const ThrusterVector& cheapness) {
+  const Eigen::Matrix<double, kAxes, kMostThrusters> B = wrench_per_thrust(axes, Eigen::all);
+  const Eigen::Matrix<double, kMostThrusters, kAxes> weighted =
+      cheapness.asDiagonal() * B.transpose();
   const Eigen::Matrix<double, kAxes, kAxes> gram = B * weighted;
   return weighted * gram.inverse();
 }

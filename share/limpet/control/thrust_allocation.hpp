@@ -27,8 +27,8 @@ class ThrustAllocation {
 
  private:
   ThrusterLayout layout_;
-  Eigen::Matrix<double, 6, kThrusters> wrench_per_thrust_;
-  Eigen::Matrix<double, kThrusters, 6>
+  ThrusterWrenches wrench_per_thrust_;
+  Eigen::Matrix<double, kMostThrusters, 6>
       thrust_per_wrench_;  // columns of what cannot be commanded are zero
 };
 

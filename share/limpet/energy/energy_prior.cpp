@@ -16,8 +16,9 @@ constexpr double kSmaller = 0.85;  ///< and the battery for so much of what its 
 EnergyPrior EnergyPrior::Of(const VehicleParams& vehicle, const BatterySheet& battery) {
   const MetersPerSecond cruise = 0.5 * vehicle.top_speed;
   const WayPower power(vehicle, battery);
+  const auto thrusters = static_cast<double>(vehicle.thrusters.thrusters.size());
   const double cruise_w =
-      std::min(power.Cruising(cruise), battery.hotel_w + kThrusters * battery.full_thrust_w);
+      std::min(power.Cruising(cruise), battery.hotel_w + thrusters * battery.full_thrust_w);
   return {.cruise = cruise,
           .metre_wh = kDearer * cruise_w / cruise.value() / kJoulesPerWh,
           .idle_w = power.AtRest() + (kDearer - 1.0) * battery.hotel_w,

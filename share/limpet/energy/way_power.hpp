@@ -44,7 +44,7 @@ class WayPower {
 
   BatterySheet battery_;
   Hydrodynamics hydro_;
-  Eigen::Matrix<double, 6, kThrusters> wrench_per_thrust_;
+  ThrusterWrenches wrench_per_thrust_;
   double max_thrust_n_, net_buoyancy_n_;
 };
 

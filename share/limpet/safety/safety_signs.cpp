@@ -96,7 +96,7 @@ void SafetySigns::Hear(const GpsFix& fix, Seconds now) {
 }
 
 void SafetySigns::Hear(const ThrusterCommand& command, Seconds now) {
-  const std::array thrusts{command.t1, command.t2, command.t3, command.t4, command.t5, command.t6};
+  const std::array thrusts = command.Shares();
   const bool is_full =
       std::ranges::any_of(thrusts, [](double thrust) { return std::abs(thrust) >= kFullThrust; });
   saturated_since_ = is_full ? saturated_since_.value_or(now) : std::optional<Seconds>();

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -124,13 +126,28 @@ struct HelmRevisits {
 template <>
 struct TopicCodec<HelmRevisits> : JsonCodec<HelmRevisits> {};
 
-/// Normalised thrust of each thruster, -1 to 1, in the order of the vehicle file.
+/// Normalised thrust of each thruster, -1 to 1, in the order of the vehicle file; of up to six
+/// those that the vehicle has not are zero, the seventh and eighth are said where it has them.
 struct ThrusterCommand {
+  static constexpr std::size_t kMost = 8;
   double t1 = 0.0, t2 = 0.0, t3 = 0.0, t4 = 0.0, t5 = 0.0, t6 = 0.0;
+  std::optional<double> t7 = std::nullopt, t8 = std::nullopt;
+
+  /// Of as many as there are, at most kMost.
+  [[nodiscard]] static ThrusterCommand Of(std::span<const double> shares) {
+    const auto at = [&](std::size_t i) { return i < shares.size() ? shares[i] : 0.0; };
+    const auto beyond = [&](std::size_t i) {
+      return i < shares.size() ? std::optional(shares[i]) : std::nullopt;
+    };
+    return {at(0), at(1), at(2), at(3), at(4), at(5), beyond(6), beyond(7)};
+  }
+  [[nodiscard]] std::array<double, kMost> Shares() const {
+    return {t1, t2, t3, t4, t5, t6, t7.value_or(0.0), t8.value_or(0.0)};
+  }
   template <class V>
   void Describe(V& visit) {
     visit("t1", t1), visit("t2", t2), visit("t3", t3), visit("t4", t4), visit("t5", t5),
-        visit("t6", t6);
+        visit("t6", t6), visit("t7", t7), visit("t8", t8);
   }
 };
 

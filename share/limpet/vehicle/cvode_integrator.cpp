@@ -44,8 +44,18 @@ void Check(int code, const char* what) {
 }
 
 /// CVODE hands over vectors of its own, never the one it was given.
-Eigen::Map<const StateVector> View(N_Vector y) {
-  return Eigen::Map<const StateVector>(N_VGetArrayPointer(y));
+/// They end with the last thruster that the vehicle has: what is not there must not count in the
+/// error that sets the step.
+sunindextype SizeOf(const VehicleModel& model) {
+  return state_index::kThrust +
+         static_cast<sunindextype>(model.params().thrusters.thrusters.size());
+}
+
+StateVector StateOf(N_Vector y) {
+  StateVector x = StateVector::Zero();
+  const auto size = static_cast<Eigen::Index>(N_VGetLength(y));
+  x.head(size) = Eigen::Map<const Eigen::VectorXd>(N_VGetArrayPointer(y), size);
+  return x;
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ CvodeIntegrator::Solver::Solver(const VehicleModel& model, const StateVector& st
       model_(&model),
       monitor_(model, start),
       context_(MakeContext()),
-      y_(N_VMake_Serial(kStateSize, x.data(), context_.get())),
+      y_(N_VMake_Serial(SizeOf(model), x.data(), context_.get())),
       iteration_(SUNNonlinSol_FixedPoint(y_.get(), 0, context_.get())),
       cvode_(CVodeCreate(CV_ADAMS, context_.get())) {
   void* const cvode = cvode_.get();
@@ -110,14 +120,16 @@ CvodeIntegrator::Solver::Solver(const VehicleModel& model, const StateVector& st
 
 int CvodeIntegrator::Solver::Rhs(realtype, N_Vector y, N_Vector rate, void* self) {
   const auto* solver = static_cast<const Solver*>(self);
-  Eigen::Map<StateVector>(N_VGetArrayPointer(rate)) =
-      solver->model_->Derivative(View(y), solver->wanted_thrust_, solver->with_seabed_);
+  const auto size = static_cast<Eigen::Index>(N_VGetLength(rate));
+  Eigen::Map<Eigen::VectorXd>(N_VGetArrayPointer(rate), size) =
+      solver->model_->Derivative(StateOf(y), solver->wanted_thrust_, solver->with_seabed_)
+          .head(size);
   return 0;
 }
 
 int CvodeIntegrator::Solver::Roots(realtype, N_Vector y, realtype* guards, void* self) {
   const auto* solver = static_cast<const Solver*>(self);
-  const auto values = solver->monitor_.Guards(View(y), solver->with_seabed_);
+  const auto values = solver->monitor_.Guards(StateOf(y), solver->with_seabed_);
   std::ranges::copy(values, guards);
   return 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/vehicle/thruster_layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -9,8 +10,11 @@
 namespace limpet {
 namespace {
 
-bool AreIndependent(const Eigen::Matrix<double, 6, kThrusters>& wrenches,
-                    const std::vector<int>& axes) {
+/// Farther apart than this, two places are not each other's mirror image [m]; and two pushes,
+/// as parts of one.
+constexpr double kAside = 0.05, kAskew = 0.1;
+
+bool AreIndependent(const ThrusterWrenches& wrenches, const std::vector<int>& axes) {
   const Eigen::MatrixXd rows = wrenches(axes, Eigen::all);
   return rows.colPivHouseholderQr().rank() == rows.rows();
 }
@@ -18,7 +22,7 @@ bool AreIndependent(const Eigen::Matrix<double, 6, kThrusters>& wrenches,
 }  // namespace
 
 std::vector<int> ThrusterLayout::ControlledAxes() const {
-  const Eigen::Matrix<double, 6, kThrusters> wrenches = WrenchPerThrust();
+  const ThrusterWrenches wrenches = WrenchPerThrust();
   std::vector<int> axes{0, 1, 2, 4, 5};
   if (AreIndependent(wrenches, axes)) return axes;
   axes = {0, 1, 2, 5};
@@ -33,13 +37,36 @@ double ThrusterLayout::MostHeave() const {
   return share * max_thrust_n;
 }
 
-Eigen::Matrix<double, 6, kThrusters> ThrusterLayout::WrenchPerThrust() const {
-  Eigen::Matrix<double, 6, kThrusters> B;
-  for (int i = 0; i < kThrusters; ++i) {
-    const Thruster& thruster = thrusters[static_cast<std::size_t>(i)];
-    B.col(i) << thruster.axis_B, thruster.p_B.cross(thruster.axis_B);
-  }
+ThrusterWrenches ThrusterLayout::WrenchPerThrust() const {
+  ThrusterWrenches B = ThrusterWrenches::Zero();
+  int column = 0;
+  for (const Thruster& thruster : thrusters)
+    B.col(column++) << thruster.axis_B, thruster.p_B.cross(thruster.axis_B);
   return B;
+}
+
+std::optional<std::size_t> ThrusterLayout::Unpaired() const {
+  const Eigen::Vector3d mirror(1.0, -1.0, 1.0);
+  for (std::size_t i = 0; i < thrusters.size(); ++i) {
+    const Eigen::Vector3d p_B = thrusters[i].p_B.cwiseProduct(mirror);
+    const Eigen::Vector3d axis_B = thrusters[i].axis_B.cwiseProduct(mirror);
+    // It pushes both ways: a push and its opposite are one.
+    if (std::ranges::none_of(thrusters, [&](const Thruster& other) {
+          return (other.p_B - p_B).norm() < kAside &&
+                 std::min((other.axis_B - axis_B).norm(), (other.axis_B + axis_B).norm()) < kAskew;
+        })) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+bool ThrusterLayout::HeavesLevel() const {
+  const ThrusterWrenches wrenches = WrenchPerThrust();
+  const Wrench heave = Wrench::Unit(2);
+  const ThrusterVector thrust = wrenches.completeOrthogonalDecomposition().solve(heave);
+  constexpr double kPitched = 0.1;  // [N m] by 1 N: a hand's breadth off the middle
+  return std::abs((wrenches * thrust - heave)(4)) < kPitched;
 }
 
 }  // namespace limpet

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,8 +11,12 @@
 
 namespace limpet {
 
-inline constexpr int kThrusters = 6;
-using ThrusterVector = Eigen::Matrix<double, kThrusters, 1>;
+/// As many as a vehicle may have; `ThrusterLayout` says how many it has.
+inline constexpr int kMostThrusters = 8;
+/// Something of each thruster; zero of those that a vehicle has not.
+using ThrusterVector = Eigen::Matrix<double, kMostThrusters, 1>;
+/// Wrench of 1 N of each thruster, a column each.
+using ThrusterWrenches = Eigen::Matrix<double, 6, kMostThrusters>;
 /// Force [N] and moment [N m] on the body origin: X, Y, Z, K, M, N.
 using Wrench = Eigen::Matrix<double, 6, 1>;
 
@@ -26,13 +31,13 @@ struct Thruster {
 /// pushes down), unless a vehicle's file says otherwise.
 struct ThrusterLayout {
   static constexpr double kDiagonal = 0.70710678118654752;  // cos and sin of 45 deg
-  std::array<Thruster, kThrusters> thrusters = {
-      Thruster{{0.2, 0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
-      {{0.2, -0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
-      {{-0.2, 0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
-      {{-0.2, -0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
-      {{0.2, 0.0, 0.0}, {0.0, 0.0, 1.0}},
-      {{-0.2, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+  /// At most kMostThrusters.
+  std::vector<Thruster> thrusters = {{{0.2, 0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
+                                     {{0.2, -0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
+                                     {{-0.2, 0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
+                                     {{-0.2, -0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
+                                     {{0.2, 0.0, 0.0}, {0.0, 0.0, 1.0}},
+                                     {{-0.2, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
   /// Either way, at normalised command 1 or -1. Four times this at 45 deg is 35 N: 1 m/s.
   double max_thrust_n = 12.5;
   /// First-order lag from command to thrust.
@@ -53,8 +58,12 @@ struct ThrusterLayout {
   [[nodiscard]] std::vector<int> ControlledAxes() const;
   /// Greatest force up or down if no thruster had to do anything else [N].
   [[nodiscard]] double MostHeave() const;
-  /// Column i is the wrench of 1 N of thruster i.
-  [[nodiscard]] Eigen::Matrix<double, 6, kThrusters> WrenchPerThrust() const;
+  [[nodiscard]] ThrusterWrenches WrenchPerThrust() const;
+  /// A thruster whose mirror image on the other side is missing: a vehicle that has it still pushes
+  /// every way, and every push ahead turns it.
+  [[nodiscard]] std::optional<std::size_t> Unpaired() const;
+  /// True if all that push up or down together can do so without pitching the vehicle.
+  [[nodiscard]] bool HeavesLevel() const;
 };
 
 }  // namespace limpet

@@ -65,7 +65,7 @@ StateVector VehicleModel::Derivative(const StateVector& x, const ThrusterVector&
   const Vector3d down_B = R_WB.row(2).transpose();
 
   Vector6 force =
-      wrench_per_thrust_ * x.segment<kThrusters>(kThrust) - Coriolis(hydro_.mass_matrix, nu);
+      wrench_per_thrust_ * x.segment<kMostThrusters>(kThrust) - Coriolis(hydro_.mass_matrix, nu);
   force.array() -=
       (hydro_.linear_drag.array() + hydro_.quadratic_drag.array() * nu.array().abs()) * nu.array();
   const double buoyancy =
@@ -81,8 +81,8 @@ StateVector VehicleModel::Derivative(const StateVector& x, const ThrusterVector&
   rate.segment<3>(kPosition) = v_W;
   rate.segment<4>(kQuaternion) = QuaternionRate(x.segment<4>(kQuaternion), omega);
   rate.segment<6>(kVelocity) = inverse_mass_ * force;
-  rate.segment<kThrusters>(kThrust) =
-      (wanted_thrust - x.segment<kThrusters>(kThrust)) / params_.thrusters.lag_s;
+  rate.segment<kMostThrusters>(kThrust) =
+      (wanted_thrust - x.segment<kMostThrusters>(kThrust)) / params_.thrusters.lag_s;
   return rate;
 }
 

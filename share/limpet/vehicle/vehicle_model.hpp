@@ -15,8 +15,9 @@ namespace limpet {
 using SeabedFunction = std::function<double(double north, double east)>;
 
 /// Layout of the state: NED position, quaternion R_WB (scalar first), velocity through the water
-/// and angular rate in body axes, thrust of each thruster [N].
-inline constexpr int kStateSize = 19;
+/// and angular rate in body axes, thrust of each thruster [N], zero of those that the vehicle has
+/// not.
+inline constexpr int kStateSize = 13 + kMostThrusters;
 using StateVector = Eigen::Matrix<double, kStateSize, 1>;
 namespace state_index {
 inline constexpr int kPosition = 0;
@@ -69,7 +70,7 @@ class VehicleModel {
   VehicleParams params_;
   Hydrodynamics hydro_;
   Matrix6 inverse_mass_;
-  Eigen::Matrix<double, 6, kThrusters> wrench_per_thrust_;
+  ThrusterWrenches wrench_per_thrust_;
   Eigen::Vector3d current_W_;
   SeabedFunction seabed_;
 };

@@ -20,6 +20,9 @@
 namespace limpet {
 namespace {
 
+/// With fewer nothing pushes ahead, aside and down and turns, each by itself.
+constexpr std::size_t kLeastThrusters = 4;
+
 namespace fs = std::filesystem;
 using internal::TextOfNode;
 using internal::ValueText;
@@ -65,21 +68,31 @@ void ReadThruster(YamlReader& in, const YAML::Node& node, const std::string& pat
 /// The thrusters of a file replace those of the default vehicle, all of them.
 void ReadThrusterList(YamlReader& in, const YAML::Node& node, ThrusterLayout& layout) {
   const std::string path = "thrusters.list";
-  if (!node.IsSequence() || node.size() != kThrusters) {
+  if (!node.IsSequence() || node.size() < kLeastThrusters || node.size() > kMostThrusters) {
     in.Complain(node, path,
-                fmt::format("{} is not allowed; allowed: a list of {} thrusters", TextOfNode(node),
-                            kThrusters));
+                fmt::format("{} is not allowed; allowed: a list of {} to {} thrusters",
+                            TextOfNode(node), kLeastThrusters, kMostThrusters));
     return;
   }
+  layout.thrusters.assign(node.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   std::set<std::string> names;
   for (std::size_t i = 0; i < node.size(); ++i) {
     ReadThruster(in, node[i], fmt::format("{}[{}]", path, i), names, layout.thrusters[i]);
   }
-  if (in.problems().empty() && layout.ControlledAxes().empty()) {
+  if (!in.problems().empty()) return;
+  if (layout.ControlledAxes().empty()) {
     in.Complain(
         node, path,
         "these thrusters cannot push the vehicle ahead, aside and down and turn it, each by "
         "itself");
+  } else if (const auto alone = layout.Unpaired()) {
+    in.Complain(node, fmt::format("{}[{}]", path, *alone),
+                "its counterpart on the other side is missing: no other pushes as it does from "
+                "there, the same or the opposite way");
+  } else if (!layout.HeavesLevel()) {
+    in.Complain(node, path,
+                "these thrusters cannot push the vehicle down without pitching it: one ahead of "
+                "or behind the middle has no counterpart");
   }
 }
 
@@ -109,6 +122,30 @@ void CheckBody(YamlReader& in, const YAML::Node& root, const VehicleParams& para
     in.Complain(root["hull"], "hull.antenna_m",
                 "does not stand above the body's origin: it is under water wherever the vehicle "
                 "floats, and no fix would come; allowed: a negative last number");
+  }
+}
+
+/// A key of a section that says where something is carried.
+struct Place {
+  const char* section;
+  const char* key;
+  Eigen::Vector3d p_B;
+};
+
+/// Nothing is carried farther than a metre beyond the hull: a place out there is one in other
+/// units, or in another order.
+void CheckPlaces(YamlReader& in, const YAML::Node& root, const VehicleFile& vehicle) {
+  const double farthest = 0.5 * vehicle.params.length_m + 1.0;
+  for (const Place& place : {Place{"hull", "antenna_m", vehicle.params.antenna_B},
+                             {"dvl", "at_m", vehicle.sensors.dvl.p_BD},
+                             {"obstacle_sonar", "at_m", vehicle.sensors.sonar.p_BS},
+                             {"camera", "at_m", vehicle.camera.p_BC}}) {
+    const double off = place.p_B.norm();
+    if (off <= farthest) continue;
+    in.Complain(root[place.section], fmt::format("{}.{}", place.section, place.key),
+                fmt::format("stands {:.2f} m from the body's origin, of a hull {:g} m long; "
+                            "allowed: {:g} m, which is a metre beyond it",
+                            off, vehicle.params.length_m, farthest));
   }
 }
 
@@ -226,9 +263,11 @@ VehicleFile ReadVehicle(YamlReader& in, const YAML::Node& root, const fs::path& 
   if (reading.vehicle.name.empty()) in.Complain(root, "name", "is missing: which vehicle is it?");
   if (!reading.has_thrusters) {
     in.Complain(root, "thrusters.list",
-                fmt::format("is missing: {} entries of name, at_m and push", kThrusters));
+                fmt::format("is missing: {} to {} entries of name, at_m and push", kLeastThrusters,
+                            kMostThrusters));
   }
   CheckBody(in, root, reading.vehicle.params);
+  CheckPlaces(in, root, reading.vehicle);
   CheckSensors(in, root, reading.vehicle.sensors);
   CheckBattery(in, root, reading.vehicle.battery);
   CheckCamera(in, root, reading.vehicle.camera);

@@ -45,10 +45,8 @@ void RunModel(IntegratorKind kind, double seconds) {
       {}, kind);
   double sum = 0.0;
   for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
-    const ThrusterCommand c = SurveyCommand(0.1 * (i / 5));
-    ThrusterVector command;
-    command << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
-    (void)simulation.Advance(command, Seconds(0.02));
+    const auto shares = SurveyCommand(0.1 * (i / 5)).Shares();
+    (void)simulation.Advance(Eigen::Map<const ThrusterVector>(shares.data()), Seconds(0.02));
     sum += simulation.motion().specific_force_B.x();
   }
   if (!std::isfinite(sum)) std::printf("diverged\n");

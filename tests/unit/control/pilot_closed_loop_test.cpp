@@ -40,9 +40,8 @@ class Vessel {
   void Fly(const DesiredMotion& desired) {
     const ThrusterCommand c = pilot_.Update(nav_, desired, kStep);
     nav_ = Truth();
-    ThrusterVector command;
-    command << c.t1, c.t2, c.t3, c.t4, c.t5, c.t6;
-    (void)simulation_.Advance(command, Seconds(kStep));
+    const auto shares = c.Shares();
+    (void)simulation_.Advance(Eigen::Map<const ThrusterVector>(shares.data()), Seconds(kStep));
   }
   /// Flies while the DVL is silent: the estimate holds the last velocity, off by `error` [m/s].
   void FlyWithoutLock(const DesiredMotion& desired, double seconds, const Eigen::Vector2d& error) {
@@ -178,6 +177,30 @@ TEST(ClosedLoop, ALightVehicleComesDownThoughItIsToGoAheadMeanwhile) {
   EXPECT_NEAR(vessel.Truth().down, 3.5, 0.2);
   EXPECT_NEAR(vessel.Truth().u, 0.5, 0.1);
   EXPECT_NEAR(vessel.Truth().pitch, 0.0, 0.1);
+}
+
+/// As heavy lifters of that class have it: a vertical thruster at each corner.
+VehicleParams WithEightThrusters() {
+  VehicleParams heavy = LightVehicle();
+  heavy.thrusters.thrusters.resize(4);
+  for (const double ahead : {0.12, -0.12}) {
+    for (const double aside : {0.22, -0.22})
+      heavy.thrusters.thrusters.push_back({{ahead, aside, 0.0}, {0.0, 0.0, 1.0}});
+  }
+  return heavy;
+}
+
+TEST(ClosedLoop, EightThrustersFlyAVehicleAndSoDoFive) {
+  VehicleParams five;
+  five.thrusters.thrusters.pop_back();
+  five.thrusters.thrusters.back().p_B.setZero();
+  for (const VehicleParams& vehicle : {WithEightThrusters(), five}) {
+    Vessel vessel(Eigen::Vector3d::Zero(), vehicle, vehicle);
+    vessel.Hold({0.8, 0.4, 3.0, 0.0}, 60.0);
+    EXPECT_NEAR(vessel.Truth().down, 3.0, 0.2) << vehicle.thrusters.thrusters.size();
+    EXPECT_NEAR(vessel.Truth().u, 0.4, 0.1) << vehicle.thrusters.thrusters.size();
+    EXPECT_NEAR(vessel.Truth().yaw, 0.8, 0.05) << vehicle.thrusters.thrusters.size();
+  }
 }
 
 TEST(ClosedLoop, ComesUpAndFloats) {

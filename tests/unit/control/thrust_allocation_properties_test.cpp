@@ -105,7 +105,7 @@ TEST_P(ThrustAllocationProperties, TheOppositeWishIsTheOppositeCommand) {
 
 TEST_P(ThrustAllocationProperties, NoOtherCommandMakesTheSameWithLess) {
   // Add what makes no wrench on the controlled axes: the load can only grow.
-  const Eigen::Matrix<double, 6, kThrusters> B = layout_.WrenchPerThrust();
+  const ThrusterWrenches B = layout_.WrenchPerThrust();
   const std::vector<int> axes{kSurge, kSway, kHeave, kPitch, kYaw};
   const Eigen::MatrixXd rows = B(axes, Eigen::all);
   const Eigen::MatrixXd idle = Eigen::FullPivLU<Eigen::MatrixXd>(rows).kernel();
@@ -119,7 +119,7 @@ TEST_P(ThrustAllocationProperties, NoOtherCommandMakesTheSameWithLess) {
 }
 
 TEST_P(ThrustAllocationProperties, ADearThrusterIsNeverUsedMoreForIt) {
-  for (int thruster = 0; thruster < kThrusters; ++thruster) {
+  for (int thruster = 0; thruster < kMostThrusters; ++thruster) {
     ThrusterVector price = ThrusterVector::Ones();
     price(thruster) = 20.0;
     const ThrustAllocation sparing(layout_, price);

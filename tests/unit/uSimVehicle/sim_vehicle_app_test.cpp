@@ -177,7 +177,8 @@ TEST(SimVehicleApp, ObeysNoCommandThatIsNotFiniteOrBeyondFullThrust) {
       {"t1=nan,t2=0,t3=0,t4=0,t5=0,t6=0", "BAD_MAIL_THRUSTER_COMMAND"},
       {"t1=0,t2=inf,t3=0,t4=0,t5=0,t6=0", "BAD_MAIL_THRUSTER_COMMAND"},
       {"t1=0,t2=0,t3=0,t4=0,t5=1e9,t6=0", "COMMAND_REFUSED"},
-      {"t1=0,t2=0,t3=0,t4=0,t5=0,t6=-1.5", "COMMAND_REFUSED"}};
+      {"t1=0,t2=0,t3=0,t4=0,t5=0,t6=-1.5", "COMMAND_REFUSED"},
+      {"t1=0,t2=0,t3=0,t4=0,t5=0,t6=0,t7=0.5", "COMMAND_REFUSED"}};
   for (const auto& [bad, warning] : refused) {
     vehicle.Say(bad);
     vehicle.RunSilently(0.5);

@@ -34,7 +34,9 @@ TEST(SimulatedBattery, FeedsTheHotelAtRestAndThrustersOnTop) {
   SimulatedBattery resting = BatteryOf(Exact()), working = BatteryOf(Exact());
   const FaultSchedule faults;
   resting.Draw(kRest, kMinute, faults);
-  working.Draw(ThrusterVector::Constant(0.25), kMinute, faults);
+  ThrusterVector six = ThrusterVector::Zero();
+  six.head<6>().setConstant(0.25);
+  working.Draw(six, kMinute, faults);
   EXPECT_NEAR(resting.Truth().used_wh, 55.0 / 60.0, 1e-9);
   EXPECT_NEAR(working.Truth().used_wh, (55.0 + 6.0 * 90.0 / 8.0) / 60.0, 1e-9);
 }

@@ -41,7 +41,7 @@ StateVector DrawSubmerged(Random& random) {
     x(kVelocity + i) = random.Normal(0.6);
     x(kRate + i) = random.Normal(0.6);
   }
-  for (int i = 0; i < kThrusters; ++i)
+  for (int i = 0; i < kMostThrusters; ++i)
     x(kThrust + i) = random.Uniform(-12.0, 12.0);
   return x;
 }
@@ -60,7 +60,7 @@ class VehicleModelProperties : public ::testing::TestWithParam<int> {
   /// Power of what is neither kinetic energy nor weight and buoyancy [W].
   [[nodiscard]] static double PowerFromOutside(const VehicleModel& model, const StateVector& x) {
     const Hydrodynamics& hydro = model.hydrodynamics();
-    const StateVector rate = model.Derivative(x, x.segment<kThrusters>(kThrust), false);
+    const StateVector rate = model.Derivative(x, x.segment<kMostThrusters>(kThrust), false);
     const Vector6 nu = x.segment<6>(kVelocity);
     const double kinetic = nu.dot(hydro.mass_matrix * rate.segment<6>(kVelocity));
     const Eigen::Vector3d down_B = AttitudeOf(x).row(2).transpose();
@@ -80,7 +80,7 @@ TEST_P(VehicleModelProperties, EnergyComesFromThrustAndGoesIntoDragAndNothingEls
     const StateVector x = DrawSubmerged(random_);
     const Vector6 nu = x.segment<6>(kVelocity);
     const double thrust =
-        nu.dot(params_.thrusters.WrenchPerThrust() * x.segment<kThrusters>(kThrust));
+        nu.dot(params_.thrusters.WrenchPerThrust() * x.segment<kMostThrusters>(kThrust));
     const Hydrodynamics& hydro = model.hydrodynamics();
     const double drag =
         ((hydro.linear_drag.array() + hydro.quadratic_drag.array() * nu.array().abs()) *
@@ -117,7 +117,7 @@ TEST_P(VehicleModelProperties, PortIsStarboardInAMirror) {
   // Across the plane of x and z: sway, roll and yaw change sign, and pairs of thrusters places.
   Vector6 sign;
   sign << 1.0, -1.0, 1.0, -1.0, 1.0, -1.0;
-  constexpr std::array<int, kThrusters> kPartner{1, 0, 3, 2, 4, 5};
+  constexpr std::array<int, kMostThrusters> kPartner{1, 0, 3, 2, 4, 5, 6, 7};
   for (int i = 0; i < 30; ++i) {
     const StateVector x = DrawSubmerged(random_);
     StateVector mirrored = x;
@@ -125,7 +125,7 @@ TEST_P(VehicleModelProperties, PortIsStarboardInAMirror) {
     mirrored(kQuaternion + 1) = -x(kQuaternion + 1);
     mirrored(kQuaternion + 3) = -x(kQuaternion + 3);
     mirrored.segment<6>(kVelocity) = sign.cwiseProduct(x.segment<6>(kVelocity));
-    for (int k = 0; k < kThrusters; ++k)
+    for (int k = 0; k < kMostThrusters; ++k)
       mirrored(kThrust + k) = x(kThrust + kPartner[static_cast<std::size_t>(k)]);
     const Vector6 here = model.Derivative(x, wanted, false).segment<6>(kVelocity);
     const Vector6 there = model.Derivative(mirrored, wanted, false).segment<6>(kVelocity);
@@ -149,10 +149,10 @@ TEST_P(VehicleModelProperties, AThrusterFollowsItsCommandWithItsLag) {
   const VehicleModel model = In(Eigen::Vector3d::Zero());
   const StateVector x = DrawSubmerged(random_);
   ThrusterVector wanted;
-  for (int i = 0; i < kThrusters; ++i)
+  for (int i = 0; i < kMostThrusters; ++i)
     wanted(i) = random_.Uniform(-12.0, 12.0);
-  const ThrusterVector rate = model.Derivative(x, wanted, false).segment<kThrusters>(kThrust);
-  EXPECT_LT((rate * params_.thrusters.lag_s + x.segment<kThrusters>(kThrust) - wanted).norm(),
+  const ThrusterVector rate = model.Derivative(x, wanted, false).segment<kMostThrusters>(kThrust);
+  EXPECT_LT((rate * params_.thrusters.lag_s + x.segment<kMostThrusters>(kThrust) - wanted).norm(),
             1e-9);
 }
 

@@ -18,10 +18,10 @@ VehicleSimulation Simulation(IntegratorKind kind, double seabed = 20.0) {
 
 /// A lively survey: speed and turns change, depth goes up and down.
 ThrusterVector SurveyCommand(double t) {
-  ThrusterVector command;
+  ThrusterVector command = ThrusterVector::Zero();
   const double turn = 0.05 * std::sin(0.3 * t);
   const double sink = 0.13 + 0.10 * std::sin(0.05 * t);
-  command << 0.4 - turn, 0.4 + turn, 0.4 - turn, 0.4 + turn, sink, sink;
+  command.head<6>() << 0.4 - turn, 0.4 + turn, 0.4 - turn, 0.4 + turn, sink, sink;
   return command;
 }
 
@@ -36,7 +36,7 @@ template <class OnEvent>
 void DiveAndAscend(VehicleSimulation& simulation, OnEvent on_event) {
   for (int i = 0; i < 1200; ++i) {
     ThrusterVector command = ThrusterVector::Zero();
-    command.tail<2>().setConstant(i < 700 ? 0.6 : -0.6);
+    command.segment<2>(4).setConstant(i < 700 ? 0.6 : -0.6);
     command.head<4>().setConstant(0.1);
     for (const TimedEvent& event : simulation.Advance(command, Seconds(0.1)))
       on_event(event);
@@ -111,7 +111,7 @@ TEST(Rk4Integrator, ReportsTheSameEventsAsCvodeWithinAMillisecond) {
 TEST(SeabedContact, LetsTheVehicleRestOnItsSkids) {
   VehicleSimulation simulation = Simulation(IntegratorKind::kCvode, 7.5);
   ThrusterVector down = ThrusterVector::Zero();
-  down.tail<2>().setConstant(0.6);
+  down.segment<2>(4).setConstant(0.6);
   for (int i = 0; i < 900; ++i)
     (void)simulation.Advance(down, Seconds(0.1));
   EXPECT_NEAR(simulation.model().Clearance(simulation.state()), 0.0, 0.01);
@@ -126,7 +126,7 @@ TEST(SeabedContact, HoldsOnASlopeWithRelief) {
       VehicleModel(VehicleParams{}, Eigen::Vector3d(0.1, 0.0, 0.0), seabed),
       {.north = 0.0, .east = 0.0, .yaw = 1.0}, IntegratorKind::kCvode);
   ThrusterVector down = ThrusterVector::Zero();
-  down.tail<2>().setConstant(0.8);
+  down.segment<2>(4).setConstant(0.8);
   for (int i = 0; i < 600; ++i)
     (void)simulation.Advance(down, Seconds(0.1));
   EXPECT_EQ(simulation.failures(), 0);

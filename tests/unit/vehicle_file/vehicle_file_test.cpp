@@ -165,14 +165,57 @@ TEST(VehicleFile, NamesLineKeyValueAndWhatIsAllowed) {
   EXPECT_THAT(ProblemsOf(FileWith("antenna_m: {x: 1}")), testing::SizeIs(1));
 }
 
+/// The lines but the one of that name.
+std::string Without(const std::string& name) {
+  std::string lines = kThrusterLines;
+  const std::size_t at = lines.find("    - {name: " + name + ",");
+  return lines.erase(at, lines.find('\n', at) + 1 - at);
+}
+
 TEST(VehicleFile, MissesAThruster) {
-  const std::string five =
-      std::string(kThrusterLines).substr(0, std::string(kThrusterLines).rfind("    - "));
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35", Without("a"))),
+              ElementsAre(HasSubstr("thrusters.list[0]: its counterpart on the other side is "
+                                    "missing")));
+  for (const char* name : {"b", "c", "d"}) {
+    EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35", Without(name))),
+                ElementsAre(HasSubstr("its counterpart on the other side is missing")));
+  }
+  for (const char* name : {"e", "f"}) {
+    EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35", Without(name))),
+                ElementsAre(HasSubstr("cannot push the vehicle down without pitching it")));
+  }
   EXPECT_THAT(
-      ProblemsOf(FileWith("mass_kg: 35", five)),
-      ElementsAre(HasSubstr("thrusters.list: a list of 5 is not allowed; allowed: a list of "
-                            "6 thrusters")));
+      ProblemsOf(FileWith("mass_kg: 35", "\n    - {name: a, at_m: [0, 0, 0], push: [1, 0, 0]}\n")),
+      ElementsAre(HasSubstr("thrusters.list: a list of 1 is not allowed; allowed: a list "
+                            "of 4 to 8 thrusters")));
   EXPECT_THAT(ProblemsOf("name: Test\n"), ElementsAre(HasSubstr("thrusters.list: is missing")));
+}
+
+TEST(VehicleFile, OfAShippedVehicleMissesAnyOneOfItsThrusters) {
+  for (const char* shipped : {"feelhippo.yaml", "bluerov2.yaml"}) {
+    const VehicleFile whole = LoadVehicleFile(kShipped / shipped);
+    EXPECT_FALSE(whole.params.thrusters.Unpaired().has_value()) << shipped;
+    EXPECT_TRUE(whole.params.thrusters.HeavesLevel()) << shipped;
+    for (std::size_t i = 0; i < whole.params.thrusters.thrusters.size(); ++i) {
+      ThrusterLayout layout = whole.params.thrusters;
+      layout.thrusters.erase(layout.thrusters.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_TRUE(layout.Unpaired().has_value() || !layout.HeavesLevel()) << shipped << i;
+    }
+  }
+}
+
+TEST(VehicleFile, TakesFiveThrustersAndEight) {
+  std::string five = Without("e");
+  five.replace(five.find("[-0.2, 0, 0]"), 12, "[0, 0, 0]");
+  EXPECT_EQ(
+      ParseVehicleFile(FileWith("mass_kg: 35", five), "v.yaml").params.thrusters.thrusters.size(),
+      5U);
+  const std::string eight = std::string(kThrusterLines) +
+                            "    - {name: g, at_m: [0, 0.2, 0], push: [0, 0, 1]}\n"
+                            "    - {name: h, at_m: [0, -0.2, 0], push: [0, 0, 1]}\n";
+  const VehicleFile file = ParseVehicleFile(FileWith("mass_kg: 35", eight), "v.yaml");
+  EXPECT_EQ(file.params.thrusters.thrusters.size(), 8U);
+  EXPECT_NE(file.params.thrusters.WrenchPerThrust().col(7), Wrench::Zero());
 }
 
 TEST(VehicleFile, MissesWhatAThrusterIsCalledAndWhereItPushesWhichWay) {
@@ -190,6 +233,15 @@ TEST(VehicleFile, MissesWhatAThrusterIsCalledAndWhereItPushesWhichWay) {
   EXPECT_THAT(with_first("{name: b, at_m: [0.2, 0.2, 0], push: [1, -1, 0]}"),
               ElementsAre(HasSubstr("thrusters.list[1].name: `b` is the name of two thrusters")));
   EXPECT_THAT(with_first("thruster"), testing::SizeIs(1));
+}
+
+TEST(VehicleFile, RefusesASensorThatIsCarriedBesideTheVehicle) {
+  EXPECT_THAT(ProblemsOf(FileWith("mass_kg: 35") + "camera: {at_m: [3, 2, 1]}\n"),
+              ElementsAre(HasSubstr("camera.at_m: stands 3.74 m from the body's origin, of a hull "
+                                    "0.6 m long; allowed: 1.3 m")));
+  EXPECT_THAT(ProblemsOf(FileWith("antenna_m: [0, 0, -2]")),
+              ElementsAre(HasSubstr("hull.antenna_m: stands 2.00 m from")));
+  EXPECT_THAT(ProblemsOf(FileWith("antenna_m: [0, 0, -1.2]")), testing::IsEmpty());
 }
 
 TEST(VehicleFile, RefusesAHullThickerThanLongAndOneThatCannotBePushedUnder) {
