@@ -9,19 +9,18 @@
 #include "limpet/helm/act_list.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/planning/fence_allowance.hpp"
+#include "limpet/topics/surface_fix.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr const char* kSurfaceFix = "SURFACE_FIX";
 constexpr const char* kFixSource = "surface_fix";
-constexpr double kSurfaceDepth = 0.35;   // [m]
 constexpr std::size_t kMostOptions = 6;  // that it offers once more, after a fix
 
 }  // namespace
 
 bool BHV_SurfaceFix::HasStayedEnough(const VehicleState& state) {
-  if (state.nav.down < kSurfaceDepth && !at_surface_) at_surface_ = state.now;
+  if (state.nav.down < params_.surface_depth.value() && !at_surface_) at_surface_ = state.now;
   if (!at_surface_) return false;
   const Seconds stay = state.now - *at_surface_;
   const bool is_sure =
@@ -41,11 +40,11 @@ MotionBid BHV_SurfaceFix::Move(const VehicleState& state) {
   if (!is_up_ && state.guidance && state.guidance->purpose == kFixSource) {
     is_up_ = true;
     at_surface_.reset();
-    acts.Post(kSurfaceFix, std::string("true"));
+    acts.Post(topics::kSurfaceFix.name, std::string("true"));
   } else if (is_up_ && HasStayedEnough(state)) {
     is_up_ = false;
     not_before_ = state.now + params_.pause;
-    acts.Post(kSurfaceFix, std::string("false"));
+    acts.Post(topics::kSurfaceFix.name, std::string("false"));
   }
   MotionBid bid;
   bid.acts = acts.Take();
@@ -55,7 +54,7 @@ MotionBid BHV_SurfaceFix::Move(const VehicleState& state) {
 std::vector<BehaviorAct> BHV_SurfaceFix::Stop(const VehicleState& state) {
   static_cast<void>(state);
   ActList acts;
-  if (is_up_) acts.Post(kSurfaceFix, std::string("false"));
+  if (is_up_) acts.Post(topics::kSurfaceFix.name, std::string("false"));
   is_up_ = false;
   return acts.Take();
 }

@@ -20,7 +20,7 @@ class BHV_SurfaceFix final : public Behavior {
   struct Params {
     Meters fix_sigma{0.5};
     double doubt_weight = 1.0;
-    Meters pays_over{100.0};
+    Meters pays_over{100.0}, surface_depth{0.35};
     MetersPerSecond speed{0.5}, ascent_speed{0.25};
     Seconds shortest_stay{20.0}, longest_stay{120.0}, pause{300.0};
     template <class Visitor>
@@ -34,6 +34,8 @@ class BHV_SurfaceFix final : public Behavior {
           InRange(0.0, 1000.0));
       visit("pays_over_m", pays_over, "Way over which a fix is reckoned to pay",
             InRange(Meters(1.0), Meters(1e5)));
+      visit("surface_depth_m", surface_depth, "Shallower than this is at the surface",
+            InRange(Meters(0.0), Meters(5.0)));
       visit("speed_mps", speed, "Survey speed: turns time spent on a fix into metres",
             InRange(MetersPerSecond(0.05), MetersPerSecond(5.0)));
       visit("ascent_mps", ascent_speed, "Speed of ascent and dive, for what a fix costs",

@@ -21,11 +21,10 @@ struct StatusParams {
   DetectionModel detection;
   LookParams looks;
   StatusPriors priors;
-  MatchingParams matching;  ///< of these only what the frames' offset takes: matches are given
+  MatchingParams matching;         ///< of these only what is needed where matches are given
   double visibility_spread = 2.0;  ///< factor that is one standard deviation of what was expected
   Meters object_radius{0.5};
   Meters merge_within{1.2};
-  Meters moved_within{2.5};
 
   template <class V>
   void Describe(V& visit) {
@@ -42,9 +41,6 @@ struct StatusParams {
     visit("merge_within_m", merge_within,
           "Landmarks closer than this and never seen together are one object",
           InRange(0.0_m, 10.0_m));
-    visit("moved_within_m", moved_within,
-          "A removed and a new object of one colour closer than this have moved",
-          InRange(0.0_m, 50.0_m));
   }
 };
 

@@ -29,7 +29,7 @@ double ProbabilityMoved(const OpiBelief& removed, const OpiBelief& appeared, dou
 }  // namespace
 
 void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
-  const double farthest = params_.moved_within.value();
+  const double farthest = params_.matching.moved_within.value();
   std::vector<MovedPair> pairs;
   for (OpiBelief& removed : objects) {
     if (removed.decided != Status::kRemoved) continue;

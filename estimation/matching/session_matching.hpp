@@ -21,7 +21,8 @@ struct MatchingParams {
   Meters down_sigma{0.3};  ///< of what all depths of a session have in common: tide, sensor
   Radians turn_sigma = Radians::FromTextUnit(1.0);
   Meters position_floor{
-      0.15};  ///< added to each object's own covariance: what a filter does not know
+      0.15};                 ///< added to each object's own covariance: what a filter does not know
+  Meters moved_within{2.5};  ///< farther off it is another object
   double gate_sigmas = 3.0;
   /// Squared sigmas that another colour costs: -2 ln of how much likelier two colours are of one
   /// object than of two, where 0.03 of the sessions name an object's colour wrong.
@@ -41,7 +42,7 @@ struct MatchingParams {
     visit("match_color_penalty", color_penalty, "Squared sigmas that another colour costs",
           InRange(0.0, 100.0));
   }
-  /// What is needed where matches are given.
+  /// What is needed where matches are given: how the frames may lie, and how far objects move.
   template <class V>
   void DescribeOffset(V& visit) {
     using namespace literals;
@@ -59,6 +60,9 @@ struct MatchingParams {
           "Deviation of the turn between two sessions' frames", InRange(0.01_deg, 45.0_deg));
     visit("match_position_floor_m", position_floor, "Deviation added to every object's position",
           InRange(0.0_m, 5.0_m));
+    visit("moved_within_m", moved_within,
+          "A removed and a new object of one colour closer than this have moved",
+          InRange(0.0_m, 50.0_m));
   }
 };
 

@@ -13,8 +13,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kMostMove = 2.5;  // [m] farther off it is another object
-
 constexpr std::size_t kMostTakenOut = 20;  // pairs of one fit: beyond that it is no fit at all
 
 /// Most of the weight that the offset may owe to the pair itself: less than all, or nothing else
@@ -80,7 +78,8 @@ Displacement DisplacementOf(const Pair& pair, const SessionMatch& match,
 
 double ChanceOfSamePlace(const Pair& pair, const SessionMatch& match,
                          const MatchingParams& params) {
-  const MoveHypotheses weights = WeighMoves(DisplacementOf(pair, match, params), kMostMove);
+  const MoveHypotheses weights =
+      WeighMoves(DisplacementOf(pair, match, params), params.moved_within.value());
   // Of an object of another colour that is the same, the colour was wrong in one of the sessions.
   const double one_object = std::exp(-0.5 * params.ColorCost(pair.former, pair.now));
   const double same = one_object * weights.stayed;

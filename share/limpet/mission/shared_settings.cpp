@@ -6,11 +6,13 @@
 namespace limpet {
 namespace {
 
-/// Of how two sessions' frames lie: pNav matches by it, pMap believes the matches by it.
+/// Of two sessions: pNav matches by it, pMap believes the matches by it.
+SharedSetting OfTwoSessions(const char* key, const char* meaning) {
+  return {.global = key, .meaning = meaning, .takers = {{"pMap", key}, {"pNav", key}}};
+}
+
 SharedSetting OfTwoFrames(const char* key) {
-  return {.global = key,
-          .meaning = "how two sessions' frames may lie",
-          .takers = {{"pMap", key}, {"pNav", key}}};
+  return OfTwoSessions(key, "how two sessions' frames may lie");
 }
 
 }  // namespace
@@ -25,6 +27,9 @@ const std::vector<SharedSetting>& SharedSettings() {
       {.global = "object_radius_m",
        .meaning = "the objects' radius",
        .takers = {{"pMap", "object_radius_m"}, {"pNav", "opi_radius_m"}}},
+      {.global = "surface_depth_m",
+       .meaning = "the depth from which on the vehicle is at the surface",
+       .takers = {{"pSurvey", "surface_depth_m"}, {"BHV_SurfaceFix", "surface_depth_m"}}},
       {.global = "settled_entropy",
        .meaning = "when an object is settled",
        .takers = {{"BHV_RevisitOpi", "settled_entropy"},
@@ -40,7 +45,8 @@ const std::vector<SharedSetting>& SharedSettings() {
       OfTwoFrames("session_datum_turn_sigma_deg"),
       OfTwoFrames("session_down_sigma_m"),
       OfTwoFrames("session_turn_sigma_deg"),
-      OfTwoFrames("match_position_floor_m")};
+      OfTwoFrames("match_position_floor_m"),
+      OfTwoSessions("moved_within_m", "how far an object may have moved")};
   return settings;
 }
 

@@ -77,12 +77,12 @@ class MovedObjects : public ObjectStatusesBorders {
 };
 
 TEST_F(MovedObjects, WithinTheReachOfAMoveIsOneThatMoved) {
-  EXPECT_EQ(AfterAMoveOf(params_.moved_within.value() - 0.01),
+  EXPECT_EQ(AfterAMoveOf(params_.matching.moved_within.value() - 0.01),
             (std::vector<Status>{Status::kMoved}));
 }
 
 TEST_F(MovedObjects, BeyondTheReachOfAMoveIsOneThatWentAndOneThatCame) {
-  EXPECT_EQ(AfterAMoveOf(params_.moved_within.value() + 0.01),
+  EXPECT_EQ(AfterAMoveOf(params_.matching.moved_within.value() + 0.01),
             (std::vector<Status>{Status::kRemoved, Status::kNew}));
 }
 
