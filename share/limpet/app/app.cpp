@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/topics/viewer.hpp"
+
 namespace limpet {
 
 std::string AppContext::Global(std::string_view key) const {
@@ -28,7 +30,7 @@ void App::StartReporting(CastSettings settings) {
     WarnOfConfig("Community is not set: reports name no vehicle");
   }
   caster_.Configure(std::move(settings));
-  SubscribeRaw("APPCAST_REQ", [this](const MessagePtr& message) {
+  SubscribeRaw(topics::kAppCastRequest.name, [this](const MessagePtr& message) {
     if (const auto* text = std::get_if<std::string>(&message->value)) {
       caster_.OnRequest(*text, now());
     }
@@ -60,7 +62,7 @@ void App::Cast(Seconds now) {
   ReportLines body;
   Report(body);
   ReportRefusedStamps(body);
-  PublishRaw("APPCAST", EncodeAppCast(caster_.Cast(body.lines(), iteration_, now)));
+  PublishRaw(topics::kAppCast.name, EncodeAppCast(caster_.Cast(body.lines(), iteration_, now)));
 }
 
 bool App::HasUsableStamp(const std::string& variable, Seconds stamp, const std::string& source) {

@@ -12,6 +12,7 @@
 #include "limpet/helm/node_message.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/helm/settings_text.hpp"
+#include "limpet/topics/mission.hpp"
 #include "limpet/topics/viewer.hpp"
 
 namespace limpet {
@@ -261,7 +262,8 @@ void HostedBehavior::Perform(std::span<const BehaviorAct> acts, HelmTurn& turn) 
     } else if (const auto* flag = std::get_if<Flag>(&act)) {
       PostFlag(*flag, turn);
     } else if (const auto* emergency = std::get_if<Emergency>(&act)) {
-      Post({.variable = "BHV_ERROR", .value = name() + ": " + emergency->reason}, turn);
+      Post({.variable = topics::kBehaviorError.name, .value = name() + ": " + emergency->reason},
+           turn);
     } else if (!is_complete()) {
       Complete(std::get<Completion>(act).reason, turn);
     }

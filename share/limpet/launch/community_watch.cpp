@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
+#include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 namespace {
@@ -49,11 +52,13 @@ CommunityWatch::CommunityWatch(const Settings& settings)
                .warp = settings.warp,
                .on_mail = [this](const WireMessage& message) { Hear(message); },
                .on_state = nullptr}) {
-  for (const char* variable : {"DB_CLIENTS", "DB_EVENT", "APPCAST_REQ", "DEPLOY", "MISSION_END",
-                               "SURVEY_PHASE", "IVPHELM_STATE", "IVPHELM_ALLSTOP"}) {
+  for (const std::string& variable :
+       {std::string("DB_CLIENTS"), std::string("DB_EVENT"), topics::kAppCastRequest.name,
+        topics::kDeploy.name, topics::kMissionEnd.name, topics::kSurveyPhase.name,
+        topics::kHelmState.name, topics::kHelmAllStop.name}) {
     client_.Subscribe(variable, Seconds(0.0));
   }
-  for (const char* variable : {"THRUSTER_COMMAND", "NAV_DEPTH"}) {
+  for (const std::string& variable : {topics::kThrusterCommand.name, topics::kNavDepth.name}) {
     client_.Subscribe(variable, Seconds(0.5));
   }
   client_.SubscribeWildcard({.app_pattern = "*", .variable_pattern = "*_STATUS", .interval = {}});
@@ -100,7 +105,7 @@ bool CommunityWatch::Hears(const std::string& name, const std::string& variable)
 void CommunityWatch::ForgetDatabase() {
   const std::lock_guard lock(mutex_);
   up_.clear();
-  latest_.erase("DEPLOY");
+  latest_.erase(topics::kDeploy.name);
 }
 
 bool CommunityWatch::has_heard_the_end() const {
@@ -109,7 +114,7 @@ bool CommunityWatch::has_heard_the_end() const {
 
 void CommunityWatch::Hear(const WireMessage& message) {
   const std::lock_guard lock(mutex_);
-  if (message.key == "APPCAST_REQ") {
+  if (message.key == topics::kAppCastRequest.name) {
     if (requests_.size() < kMostRequests) {
       requests_.emplace_back(message.text);
     }

@@ -22,8 +22,11 @@
 #include "limpet/launch/supervisor.hpp"
 #include "limpet/launch/surfacing.hpp"
 #include "limpet/mission/outside.hpp"
+#include "limpet/topics/mapping.hpp"
 #include "limpet/topics/mission.hpp"
+#include "limpet/topics/navigation.hpp"
 #include "limpet/topics/safety.hpp"
+#include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 namespace {
@@ -137,15 +140,15 @@ class Launch {
     });
   }
   [[nodiscard]] DeploymentSigns SignsOf(const CommunityWatch& watch) const {
-    const auto helm = watch.Latest("IVPHELM_STATE");
+    const auto helm = watch.Latest(topics::kHelmState.name);
     return {.is_all_up = AllUp(watch),
             .has_helm = HasProgram("pHelm"),
             .has_survey = HasProgram("pSurvey"),
             .helm_words = helm ? helm->times : 0,
-            .deploy = watch.TextOf("DEPLOY"),
-            .helm_stop = watch.TextOf("IVPHELM_ALLSTOP"),
-            .phase = watch.TextOf("SURVEY_PHASE"),
-            .has_ended = watch.Latest("MISSION_END").has_value()};
+            .deploy = watch.TextOf(topics::kDeploy.name),
+            .helm_stop = watch.TextOf(topics::kHelmAllStop.name),
+            .phase = watch.TextOf(topics::kSurveyPhase.name),
+            .has_ended = watch.Latest(topics::kMissionEnd.name).has_value()};
   }
   void Deploy(CommunityWatch& watch) {
     if (surfacing_.has_begun()) {
@@ -153,7 +156,7 @@ class Launch {
     }
     const Deployment::Step step = deployment_.Mind(SignsOf(watch), SteadyTime());
     if (step.writes) {
-      watch.client().Publish("DEPLOY", "true");
+      watch.client().Publish(topics::kDeploy.name, "true");
     }
     if (!deployment_.warning().empty() && !step.says.empty()) {
       Alert(events::kDeployment, step.says);
@@ -168,9 +171,9 @@ class Launch {
       has_lost_database_ = deployment_.has_written();
     } else if (has_lost_database_ && AllUp(watch)) {
       has_lost_database_ = false;
-      if (!watch.Latest("DEPLOY") && !surfacing_.has_begun()) {
+      if (!watch.Latest(topics::kDeploy.name) && !surfacing_.has_begun()) {
         Say("all up again, with an empty database; DEPLOY = true");
-        watch.client().Publish("DEPLOY", "true");
+        watch.client().Publish(topics::kDeploy.name, "true");
       }
     }
   }
@@ -178,18 +181,18 @@ class Launch {
   void BringUpIfHopeless(CommunityWatch& watch) {
     const Seconds now = MoosTime(plan_.warp);
     const std::optional<std::string> lost = supervisor_.LostVital();
-    if (lost && !surfacing_.has_begun() && !watch.Latest("MISSION_END")) {
+    if (lost && !surfacing_.has_begun() && !watch.Latest(topics::kMissionEnd.name)) {
       surfacing_.Begin(*lost + " is given up", now);
       Alert(events::kSurfacing, "the mission cannot go on: " + surfacing_.why() +
                                     "; thrusters off, the vehicle floats up");
-      watch.client().Publish("SESSION_SAVE", surfacing_.why());
+      watch.client().Publish(topics::kSessionSave.name, surfacing_.why());
       watch.client().Publish(topics::kManualOverride.name, "true");
     }
     if (surfacing_.is_under_way()) {
       WriteZeroThrust(watch);
     }
-    const std::string deploy = watch.TextOf("DEPLOY");
-    const auto depth = watch.Latest("NAV_DEPTH");
+    const std::string deploy = watch.TextOf(topics::kDeploy.name);
+    const auto depth = watch.Latest(topics::kNavDepth.name);
     const bool is_recent = depth && SteadyTime() - depth->at < kDepthAge;
     if (surfacing_.EndsNow({.was_deployed = ParseFlag(deploy).value_or(false),
                             .depth_m = is_recent ? std::optional(depth->number) : std::nullopt},
@@ -241,7 +244,7 @@ class Launch {
     const Seconds now = SteadyTime();
     std::string status = supervisor_.Status() + StatusOfMissing(plan_.missing);
     if (status != told_status_ || now - told_at_ >= kStatusPeriod) {
-      watch.client().Publish("PLAUNCH_STATUS", status);
+      watch.client().Publish(topics::kLaunchStatus.name, status);
       const std::optional<double> made_up = faults_.memory_mib();
       if (const auto mib = made_up ? made_up : supervisor_.ResidentMib()) {
         watch.client().Publish(topics::kLaunchMemory.name, *mib);
@@ -278,7 +281,7 @@ class Launch {
       watch.client().Publish(WarningsVariable("pLaunch"), *news);
     }
     if (const auto cast = report_.Take(processes, watch.WhoIsUp(), now)) {
-      watch.client().Publish("APPCAST", *cast);
+      watch.client().Publish(topics::kAppCast.name, *cast);
     }
   }
   void Say(const std::string& text) const {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/session/session_name.hpp"
+
 namespace limpet {
 namespace {
 
@@ -17,13 +19,8 @@ ConfigError Impossible(const std::string& key, const std::string& why) {
 }
 
 void RequireName(const std::string& session) {
-  const bool is_good = !session.empty() && std::ranges::all_of(session, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-  if (!is_good) {
-    throw Impossible("--session",
-                     fmt::format("`{}` is no session's name; allowed: a-z, 0-9, _ and -", session));
-  }
+  if (const auto problem = SessionNameProblem(session))
+    throw Impossible("--session", problem->text);
 }
 
 bool HoldsSomething(const fs::path& folder) {

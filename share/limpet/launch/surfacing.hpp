@@ -13,6 +13,8 @@ namespace limpet {
 class Surfacing {
  public:
   static constexpr Seconds kLongest{180.0};  ///< MOOS time; for want of a depth
+  /// More than any survey's surface_depth_m by default: who ends for want of an app is not to wait
+  /// for a vehicle that floats a little deep.
   static constexpr double kSurfaceDepth_m = 0.5;
   /// A vehicle that has just begun to dive is not up because it is not yet down.
   static constexpr Seconds kAtLeast{5.0};

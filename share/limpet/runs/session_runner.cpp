@@ -173,7 +173,7 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
   SessionOutcome outcome{.ended = "timeout", .duration = Seconds(0.0)};
   std::optional<Seconds> ended_at;
   community.Observe([&](const Message& message) {
-    if (message.name == "MISSION_END") {
+    if (message.name == topics::kMissionEnd.name) {
       outcome.ended = std::get<std::string>(message.value);
       ended_at = message.time;
     }
@@ -183,7 +183,7 @@ SessionOutcome RunSession(const MissionFile& mission, const SessionPlan& plan,
   while (community.elapsed() < kDeployAfter && !interrupt_requested) {
     community.Step();
   }
-  community.Poke("DEPLOY", std::string("true"));
+  community.Poke(topics::kDeploy.name, std::string("true"));
   const auto is_over = [&] {
     return ended_at && community.now() - *ended_at > Seconds(kLastMailSeconds);
   };

@@ -89,8 +89,9 @@ TEST_F(RunFoldersTest, RefusesAChangeSessionWithNothingToCompareWith) {
 }
 
 TEST_F(RunFoldersTest, RefusesASessionNameThatIsAPath) {
-  EXPECT_THAT(Complaint("../../x"), HasSubstr("is no session's name"));
-  EXPECT_THAT(Complaint(""), HasSubstr("is no session's name"));
+  EXPECT_THAT(Complaint("../../x"), HasSubstr("`../../x` cannot name a session"));
+  EXPECT_THAT(Complaint(""), HasSubstr("names no session"));
+  EXPECT_THAT(Complaint("figures"), HasSubstr("the word is Limpet's own"));
 }
 
 TEST_F(RunFoldersTest, ALaunchIntoAFolderOfAFormerOneIsRefusedAndLeavesItAlone) {
