@@ -64,6 +64,7 @@ TEST(CheckVerbOfFiles, NotesValuesThatStockHelmsCutToARangeAndWhatTheyAreTakenAs
 TEST(CheckVerbOfFiles, RefusesToLeadAHelmThatDoesNotHearOrIsNotThere) {
   const TemporaryFolder folder;
   fs::copy(kMissions / "led_helm", folder.path() / "m");
+  fs::copy(kMissions / "basin", folder.path() / "basin");
   fs::copy(kMissions.parent_path() / "plugs", folder.path() / "plugs");
   const auto check_with = [&](const fs::path& file, const std::string& from,
                               const std::string& to) {
