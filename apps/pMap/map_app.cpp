@@ -14,6 +14,7 @@
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
 #include "limpet/topics/surface_fix.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 MapApp::MapApp(const AppContext& context, const Params& params)
@@ -84,7 +85,7 @@ void MapApp::WarnOfDrop(const std::optional<FrameDrop>& drop) {
   }
   ClearWarning(warnings::kFrameOutOfOrder);
   // On the way down frames from above are no trouble.
-  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
+  const bool is_surveying = IsSurveying(phase_);
   // Nor are they on a way up for a fix, nor on the way down from it.
   if (!drop && !is_up_for_fix_) back_from_fix_by_.reset();
   const bool is_high_meant = is_up_for_fix_ || now() < back_from_fix_by_.value_or(now());
@@ -335,6 +336,7 @@ void MapApp::UpdateObjects() {
   objects_ = statuses_.Assess();
   WarnOfTentativeObjects();
   WarnOfDoubtedLandmarks();
+  WarnOfAllGone();
   layer_.SetObjects(objects_, statuses_, map_);
 }
 

@@ -55,6 +55,7 @@ class MapApp final : public App {
   void WarnOfDrop(const std::optional<FrameDrop>& drop);
   void WarnOfTentativeObjects();
   void WarnOfDoubtedLandmarks();
+  void WarnOfAllGone();
   [[nodiscard]] double TallestObject() const;
   /// Beams of one ping that had a range, and those of them that the map took.
   void CountBeams(int given, int used);

@@ -9,6 +9,7 @@
 #include "apps/pMap/map_app.hpp"
 #include "apps/pMap/map_warnings.hpp"
 #include "limpet/survey/look.hpp"
+#include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
 namespace {
@@ -37,7 +38,7 @@ std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water, doub
 void MapApp::WarnOfMurk(const VisibilityBelief& water) {
   // An estimate on the threshold wavers: over is what would not come back at a fifth more range.
   constexpr double kClearlyNearer = 1.2;
-  const bool is_surveying = phase_.empty() || phase_ == "SURVEY";
+  const bool is_surveying = IsSurveying(phase_);
   const std::optional<double> chance = ChanceAtSeabed(water, is_murky_ ? kClearlyNearer : 1.0);
   is_murky_ = is_surveying && chance && *chance < kLookChance;
   if (is_murky_) {
@@ -59,6 +60,25 @@ void MapApp::WarnOfDoubtedLandmarks() {
                      doubted));
   } else {
     ClearWarning(warnings::kLandmarksDoubted);
+  }
+}
+
+void MapApp::WarnOfAllGone() {
+  constexpr int kMany = 3;  // fewer may well be taken away together
+  int gone = 0;
+  bool is_one_found = false;
+  for (const OpiBelief& object : objects_) {
+    gone += object.decided == Status::kRemoved ? 1 : 0;
+    is_one_found =
+        is_one_found || object.decided == Status::kConfirmed || object.decided == Status::kMoved;
+  }
+  if (gone >= kMany && !is_one_found) {
+    Warn(warnings::kFormerAllGone,
+         fmt::format("{} objects of the former session are removed and none was found again: do "
+                     "the sessions' frames lie apart?",
+                     gone));
+  } else {
+    ClearWarning(warnings::kFormerAllGone);
   }
 }
 

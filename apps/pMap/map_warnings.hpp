@@ -92,6 +92,17 @@ inline const WarningId kLandmarksDoubted = DeclareWarning(
                "be (radius_m in NAV_LANDMARKS), or something that shows now and then only.",
      .clears = "Once the map has each of them for an object, or pNav drops them."});
 
+inline const WarningId kFormerAllGone = DeclareWarning(
+    "FORMER_ALL_GONE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pMap"},
+     .meaning = "Three or more objects of the former session are removed and none was found again: "
+                "either all are gone, or the two sessions' frames lie farther apart than their "
+                "fixes and session_offset_sigma_m say, and it looked beside them.",
+     .action = "Compare both sessions' fixes (GPS_REFUSED of pNav) and datums; see whether the new "
+               "objects lie to each other as the removed ones did.",
+     .clears = "Once one of them is found, or its status is open again."});
+
 }  // namespace limpet::warnings
 
 namespace limpet::events {

@@ -188,5 +188,20 @@ TEST_F(MapWarningsTest, SaysThatBeamsEndWhereNothingCanBe) {
   EXPECT_FALSE(app_.warnings().contains("BEAMS_LEFT_OUT"));
 }
 
+TEST_F(MapWarningsTest, SaysSoWhereNoneOfSeveralFormerObjectsIsFoundAgain) {
+  SessionPrior prior =
+      Former({{1, {0, 1, 5.5}, "yellow"}, {2, {4, 1, 5.5}, "yellow"}, {3, {8, 1, 6.0}, "orange"}});
+  AddViews({.north = -3, .east = 1, .length = 16}, prior);
+  link_.Send(app_, topics::kSessionPrior, prior);
+  for (const double east : {0.5, 1.0, 1.5})
+    Survey({.north = -3, .east = east, .length = 16}, {});
+  Confirm({});
+  EXPECT_TRUE(app_.warnings().contains("FORMER_ALL_GONE"));
+  for (const double east : {0.5, 1.0, 1.5})
+    Survey({.north = -3, .east = east, .length = 16}, {kYellow});
+  Confirm({kYellow}, {{kYellow.landmark.value(), 2}});
+  EXPECT_FALSE(app_.warnings().contains("FORMER_ALL_GONE")) << "one stands where it stood";
+}
+
 }  // namespace
 }  // namespace limpet
