@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/mapping/status_label.hpp"
+
 namespace limpet {
 namespace {
 
@@ -15,24 +17,6 @@ constexpr double kRejudgeDistance = 0.3;
 double LogOdds(double p) {
   const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
   return std::log(safe / (1.0 - safe));
-}
-
-VoxelLabel LabelOf(const OpiBelief& status) {
-  switch (status.decided) {
-    case Status::kConfirmed:
-      return VoxelLabel::kConfirmed;
-    case Status::kRemoved:
-      return VoxelLabel::kRemoved;
-    case Status::kNew:
-      return VoxelLabel::kNew;
-    case Status::kMoved:
-      return VoxelLabel::kMoved;
-    case Status::kUncertain:
-    case Status::kNotInspected:
-    case Status::kNothing:
-      break;
-  }
-  return VoxelLabel::kUncertain;
 }
 
 }  // namespace
@@ -208,7 +192,7 @@ void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
     map.Paint(key, {.occupied = kOccupiedPerLook * looks,
                     .object = static_cast<float>(log_odds),
                     .exists = static_cast<float>(LogOdds(object.status.posterior.present())),
-                    .label = LabelOf(object.status)});
+                    .label = LabelOf(object.status.decided)});
     if (log_odds > LogOdds(params_.threshold)) {
       certain.push_back(key);
     }

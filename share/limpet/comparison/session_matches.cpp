@@ -10,6 +10,7 @@
 #include "estimation/matching/own_covariance.hpp"
 #include "estimation/navigation/former_session.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/session/landmark_rows.hpp"
 
 namespace limpet {
 namespace {
@@ -41,22 +42,6 @@ MatchingParams ParamsOf(const SavedSession& session) {
   return params;
 }
 
-/// Three rows per landmark; as from the single covariances if the session did not keep those of
-/// all.
-Eigen::MatrixXd JointOf(const std::vector<Landmark>& landmarks, const LandmarkJoint& joint) {
-  std::vector<Eigen::Index> rows;
-  std::vector<ObjectEstimate> objects;
-  for (const Landmark& landmark : landmarks) {
-    objects.push_back(landmark.object);
-    const auto found = std::ranges::find(joint.ids, landmark.id);
-    if (found == joint.ids.end()) continue;
-    const Eigen::Index first = 3 * (found - joint.ids.begin());
-    rows.insert(rows.end(), {first, first + 1, first + 2});
-  }
-  return rows.size() == 3 * landmarks.size() ? Eigen::MatrixXd(joint.cov_W(rows, rows))
-                                             : JointOfSingles(objects);
-}
-
 }  // namespace
 
 bool WasFlownWith(const SavedSession& b, const SavedSession& a) {
@@ -86,7 +71,9 @@ std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession
     present.slots.push_back(landmark.id);
     present.objects.push_back(landmark.object);
   }
-  present.covariance = JointOf(landmarks, b.memory.landmarks);
+  // A session that did not keep the covariance of all together has those of each.
+  const std::optional<Eigen::MatrixXd> kept = CovarianceOf(present.slots, b.memory.landmarks);
+  present.covariance = kept ? *kept : JointOfSingles(present.objects);
   FormerSessionTie tie(ParamsOf(b));
   tie.SetFormer(std::move(former));
   const bool is_matched = tie.Match(present, std::nullopt);

@@ -288,14 +288,8 @@ std::vector<std::string> SessionsOf(const Scenario& scenario) {
 Scenario ParseScenario(const std::string& text, const std::string& file, bool checks_places) {
   YamlReader in(file);
   Scenario scenario;
-  try {
-    scenario = ReadScenario(in, in.OnlyDocument(text), checks_places);
-  } catch (const YAML::Exception& error) {
-    in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
-  }
-  if (!in.problems().empty()) {
-    throw ConfigError(in.problems());
-  }
+  in.ReadDocument(
+      text, [&](const YAML::Node& root) { scenario = ReadScenario(in, root, checks_places); });
   return scenario;
 }
 

@@ -266,12 +266,9 @@ std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
 VehicleFile ParseVehicleFile(const std::string& text, const std::string& file) {
   YamlReader in(file);
   VehicleFile vehicle;
-  try {
-    vehicle = ReadVehicle(in, in.OnlyDocument(text), fs::path(file).parent_path());
-  } catch (const YAML::Exception& error) {
-    in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
-  }
-  if (!in.problems().empty()) throw ConfigError(in.problems());
+  in.ReadDocument(text, [&](const YAML::Node& root) {
+    vehicle = ReadVehicle(in, root, fs::path(file).parent_path());
+  });
   return vehicle;
 }
 
