@@ -15,6 +15,7 @@
 #include "limpet/app/heartbeat.hpp"
 #include "limpet/app/host_faults.hpp"
 #include "limpet/app/run_app.hpp"
+#include "limpet/core/byte_units.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/host_name.hpp"
 #include "limpet/core/number_text.hpp"
@@ -29,7 +30,7 @@ std::string AddressOf(const std::string& listen_on) {
   return listen_on == "all" ? "0.0.0.0" : listen_on;
 }
 
-std::size_t BytesOf(double mib) { return static_cast<std::size_t>(mib * 1024.0 * 1024.0); }
+std::size_t BytesOf(double mib) { return static_cast<std::size_t>(mib * kBytesPerMib); }
 
 /// The file that a launcher holds open for this process and its successors; -1 if there is none.
 int KeptDescriptor() {

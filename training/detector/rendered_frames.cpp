@@ -59,8 +59,7 @@ PictureSettings DrawSettings(std::uint64_t seed, double depth, Random& random) {
   settings.noise_seed = seed + 1;
   ImageParams& image = settings.image;
   image.look = "real";
-  constexpr std::array kSeabeds{"sand", "gravel", "rock", "seagrass", "mixed"};
-  image.seabed = {.kind = kSeabeds.at(random.Index(kSeabeds.size())),
+  image.seabed = {.kind = kSeabedKinds.at(random.Index(kSeabedKinds.size())),
                   .shading = random.Uniform(0.5, 2.0)};
   image.water = {.dissolved = LogUniform(0.03, 2.5, random),
                  .backscatter = random.Uniform(0.3, 2.5),

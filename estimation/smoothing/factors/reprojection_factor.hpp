@@ -34,7 +34,7 @@ class ReprojectionFactor {
   /// Of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, BorderJacobian& J_C) const {
     J_C.setZero();
-    Residual r = Residual::Constant(kLost).cwiseProduct(inv_sigma_);
+    Residual r = Residual::Constant(kLost_px).cwiseProduct(inv_sigma_);
     if (p.z() > kNearest) {
       const double k = 1.0 / p.z();
       r = Residual(camera_->cx + camera_->fx * p.x() * k, camera_->cy + camera_->fy * p.y() * k);
@@ -48,7 +48,6 @@ class ReprojectionFactor {
 
  private:
   static constexpr double kNearest = 0.2;  ///< [m]
-  static constexpr double kLost = 1000.0;  ///< [px]
   const CameraModel* camera_;
   Eigen::Vector2d measured_, inv_sigma_;
 };

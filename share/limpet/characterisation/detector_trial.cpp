@@ -29,8 +29,7 @@ PictureSettings DrawWorld(const TrialPlan& plan, Random& random) {
   settings.noise_seed = random.Bits();
   ImageParams& image = settings.image;
   image.look = "real";
-  constexpr std::array kSeabeds{"sand", "gravel", "rock", "seagrass", "mixed"};
-  image.seabed.kind = kSeabeds.at(random.Index(kSeabeds.size()));
+  image.seabed.kind = kSeabedKinds.at(random.Index(kSeabedKinds.size()));
   image.water.dissolved = random.Uniform(0.1, 1.2);
   image.water.backscatter = random.Uniform(0.5, 1.5);
   // From a bare bottom to one where every square metre has its stone.

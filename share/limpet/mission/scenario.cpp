@@ -12,16 +12,16 @@
 
 #include "limpet/mission/fault_reading.hpp"
 #include "limpet/mission/obstacle_reading.hpp"
+#include "limpet/mission/scenario_reach.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/yaml_reader.hpp"
 
 namespace limpet {
 namespace {
 
+using internal::kFarthest_m;
 using internal::TextOfNode;
 using internal::YamlReader;
-
-constexpr double kFarthest_m = 1e5;  // from the datum; beyond it a local grid means nothing
 
 void ReadSeabed(YamlReader& in, const YAML::Node& node, Scenario::Seabed& seabed) {
   const std::string path = "seabed";

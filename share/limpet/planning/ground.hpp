@@ -22,6 +22,7 @@ namespace limpet {
 class Footprint {
  public:
   static constexpr int kLayers = 4;
+  static constexpr int kTop = kLayers - 1;
   /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is. `reach`:
   /// how far one sees [m].
   Footprint(double altitude, double object_height_max, const CameraModel& camera,

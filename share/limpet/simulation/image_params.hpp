@@ -2,6 +2,7 @@
 // What a scenario may say of how its pictures come about. The models are in share/limpet/imaging.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "limpet/core/units.hpp"
 
 namespace limpet {
+
+/// What may cover the seabed of a picture.
+inline constexpr std::array kSeabedKinds{"sand", "gravel", "rock", "seagrass", "mixed"};
 
 struct ImageParams {
   std::string look = "plain";
@@ -80,7 +84,7 @@ struct ImageParams {
 
     template <class V>
     void Describe(V& visit) {
-      visit.Choice("kind", kind, "What covers it", {"sand", "gravel", "rock", "seagrass", "mixed"});
+      visit.Choice("kind", kind, "What covers it", {kSeabedKinds.begin(), kSeabedKinds.end()});
       visit("shading", shading, "Steepness of its small forms, over that of the kind",
             InRange(0.0, 3.0));
     }
