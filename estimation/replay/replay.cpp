@@ -59,7 +59,7 @@ class Replayer {
     if (is_filtering) filter_.SetBodyVelocity(navigator_.Estimate(now_).v_B);
   }
   void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, row.depth); }
-  void operator()(const GpsRow& row) {
+  void operator()(const PositionFix& row) {
     navigator_.AddGps(row.t, row.p_W, row.sd);
     AdvanceTo(row.t);
   }

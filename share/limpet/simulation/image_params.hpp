@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "limpet/core/key_section.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
@@ -147,13 +148,8 @@ struct ImageParams {
   } sensor;
 };
 
-/// A section of `image:` in scenario.yaml with its keys as declared; "" is `image:` itself.
-struct ImageSection {
-  std::string name;
-  std::vector<ParamSpec> keys;
-};
-/// The keys store into `image`.
-[[nodiscard]] inline std::vector<ImageSection> ImageSections(ImageParams& image) {
+/// Of `image:` in scenario.yaml; "" is `image:` itself. The keys store into `image`.
+[[nodiscard]] inline std::vector<KeySection> ImageSections(ImageParams& image) {
   return {{"", DescribeParams(image)},
           {"water", DescribeParams(image.water)},
           {"light", DescribeParams(image.light)},

@@ -178,7 +178,7 @@ void ReadSections(YamlReader& in, const YAML::Node& root, Reading& reading) {
   std::vector<YamlReader::Field> sections;
   sections.push_back({kBasedOn, [](const YAML::Node&) {}});  // read before
   sections.push_back({"name", [&](const YAML::Node& node) { file.name = ValueText(node); }});
-  for (VehicleFileSection& section : VehicleFileSections(file)) {
+  for (KeySection& section : VehicleFileSections(file)) {
     sections.push_back({section.name, [&, section](const YAML::Node& node) {
                           if (section.name == "battery") file.battery.is_present = true;
                           std::vector<YamlReader::Field> fields =
@@ -249,7 +249,7 @@ std::vector<ParamSpec> CameraKeys(VehicleFile& vehicle) {
 
 }  // namespace
 
-std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
+std::vector<KeySection> VehicleFileSections(VehicleFile& vehicle) {
   SensorSheets& sensors = vehicle.sensors;
   return {{"hull", DescribeParams(vehicle.params)},
           {"thrusters", DescribeParams(vehicle.params.thrusters)},

@@ -12,20 +12,13 @@
 #include "limpet/core/frames.hpp"
 #include "limpet/vision/image.hpp"
 #include "limpet/vision/linear_row.hpp"
+#include "limpet/vision/scene_settings.hpp"
 #include "limpet/vision/seabed_relief.hpp"
 #include "limpet/vision/seabed_texture.hpp"
 #include "limpet/vision/sphere.hpp"
 #include "limpet/vision/water_optics.hpp"
 
 namespace limpet {
-
-struct SceneSettings {
-  CameraModel camera;
-  SeabedDepthFunction seabed_depth;  ///< [m] at (north, east) [m]; smooth over 0.25 m
-  double visibility_m = 8.0;
-  std::uint64_t seabed_seed = 1;  ///< of texture and patches: the same place in every session
-  std::uint64_t noise_seed = 1;   ///< of specks and sensor noise
-};
 
 /// Pictures of a rough seabed with spheres through hazy water, from a camera that looks down.
 /// Equal settings, pose, spheres and frame number give equal bytes. Not thread-safe.
