@@ -143,15 +143,15 @@ bool ObjectStatuses::AreOne(const Landmark& a, const Landmark& b) const {
 }
 
 void ObjectStatuses::MergeLandmarks() {
-  std::vector<const Landmark*> by_looks;
+  std::vector<const Landmark*> by_detections;
   for (const Landmark& landmark : landmarks_) {
-    by_looks.push_back(&landmark);
+    by_detections.push_back(&landmark);
   }
-  std::ranges::stable_sort(by_looks,
-                           [](const auto* a, const auto* b) { return a->looks > b->looks; });
+  std::ranges::stable_sort(
+      by_detections, [](const auto* a, const auto* b) { return a->detections > b->detections; });
   objects_.clear();
   representative_.clear();
-  for (const Landmark* landmark : by_looks) {
+  for (const Landmark* landmark : by_detections) {
     const auto same = std::ranges::find_if(
         objects_, [&](const Landmark& object) { return AreOne(object, *landmark); });
     representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
@@ -205,7 +205,7 @@ OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
       object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
   OpiBelief status{.id = static_cast<int>(index) + 1,
                    .landmark = object != nullptr ? std::optional(object->id) : std::nullopt,
-                   .prior_id = former.id,
+                   .former_id = former.id,
                    .object = object != nullptr ? object->object : FormerPlace(index),
                    .log_likelihood_ratio = LambdaOf(watch),
                    .looks = Looks(watch),

@@ -18,7 +18,7 @@ OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& compari
           {"moved_from_ned_m", PlaceJson(comparison.MovedFrom_W(object))},
           {"moved_probability", object.moved_probability ? OrderedJson(*object.moved_probability)
                                                          : OrderedJson(nullptr)},
-          {"id_a", object.prior_id ? OrderedJson(*object.prior_id) : OrderedJson(nullptr)},
+          {"id_a", object.former_id ? OrderedJson(*object.former_id) : OrderedJson(nullptr)},
           {"landmark_b", object.landmark ? OrderedJson(*object.landmark) : OrderedJson(nullptr)},
           {"posterior", JsonOf(object.posterior)},
           {"looks_b", object.looks},

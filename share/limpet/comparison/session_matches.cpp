@@ -21,7 +21,7 @@ std::vector<Landmark> LandmarksOf(const OpiBeliefs& objects) {
   for (const OpiBelief& opi : objects.opis) {
     if (!opi.landmark) continue;
     landmarks.push_back(
-        {.id = *opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
+        {.id = *opi.landmark, .object = opi.object, .detections = opi.looks, .is_confirmed = true});
   }
   return landmarks;
 }
