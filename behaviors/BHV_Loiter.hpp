@@ -67,7 +67,6 @@ class BHV_Loiter final : public Behavior {
   };
 
   void AssignCenter(const std::vector<std::string>& keys);
-  void MoveCenter(const MapPoint& center);
   void LayCorners();
   void BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid);
   void SetMode(double outside);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "behaviors/BHV_Loiter.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/waypoints/map_params.hpp"
 #include "limpet/waypoints/point_list.hpp"
@@ -34,10 +34,7 @@ bool ReadCenter(std::string_view text, LoiterParams& params) {
 
 bool ReadSuffix(std::string_view text, LoiterParams& params) {
   if (text.find_first_of(" \t") != std::string_view::npos) return false;
-  params.suffix = text.empty() ? "" : "_";
-  for (const char c : text) {
-    params.suffix += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  }
+  params.suffix = text.empty() ? "" : "_" + UpperCase(text);
   return true;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 
 #include "behaviors/BHV_Waypoint.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/waypoints/map_params.hpp"
 #include "limpet/waypoints/point_list.hpp"
@@ -12,15 +12,8 @@ namespace {
 
 using Params = BHV_Waypoint::Params;
 
-std::string Lower(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 bool ReadPoints(std::string_view text, Params& params) {
-  const std::string word = Lower(Trim(text));
+  const std::string word = LowerCase(Trim(text));
   if (word == "start" || word == "empty") {
     params.points_from = word;
     params.points.clear();
@@ -134,7 +127,7 @@ void DescribePosts(ParamCollector& visit, Params& params) {
   visit.Parsed("efficiency_measure", "off, all",
                "all: WPT_EFF_*, how directly and how fast legs are travelled", "off",
                [&params](std::string_view text) {
-                 const std::string word = Lower(text);
+                 const std::string word = LowerCase(text);
                  params.measures_efficiency = word == "all";
                  return word == "all" || word == "off";
                });
@@ -154,7 +147,7 @@ void BHV_Waypoint::Params::Describe(ParamCollector& visit) {
                "rather slower than faster; roc, rate_of_closure: to come nearer at that speed",
                "zaic", [this](std::string_view text) {
                  // Other words leave it alone, as there.
-                 const std::string word = Lower(text);
+                 const std::string word = LowerCase(text);
                  const bool is_known = word == "zaic" || word == "zaic_spd" || word == "roc" ||
                                        word == "rate_of_closure";
                  if (is_known) function_kind = word;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "limpet/helm/generator_registry.hpp"
 #include "limpet/planning/home_path.hpp"
+#include "limpet/planning/on_path.hpp"
 
 namespace limpet {
 namespace {
@@ -41,15 +40,13 @@ class HomeGenerator final : public OptionGenerator {
   /// What is left of the path in force, if the vehicle is on it and it still leads there.
   [[nodiscard]] std::optional<DubinsPath> RestInForce(const Situation& now,
                                                       const Destination& to) const {
-    constexpr double kOnPath_m = 0.05, kOnPath_rad = 0.02, kThere_m = 0.1;
+    constexpr double kThere_m = 0.1;
     if (in_force_.segments().empty()) return std::nullopt;
     DubinsPath rest = in_force_.Rest(now.travelled - chosen_at_);
-    const double turned = rest.start().yaw - now.pose.yaw;
-    const bool is_on_it = Distance(rest.start(), now.pose) < kOnPath_m &&
-                          std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) < kOnPath_rad;
     const bool leads_there =
         Distance(rest.end(), {.north = to.north, .east = to.east, .yaw = 0.0}) < kThere_m;
-    if (!is_on_it || !leads_there || now.region->EntersZone(rest)) return std::nullopt;
+    if (!IsOnPath(rest, now.pose) || !leads_there || now.region->EntersZone(rest))
+      return std::nullopt;
     return rest;
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/LimpetDB/limpet_db.hpp"
 
-#include <array>
 #include <cstdlib>
 #include <thread>
 
@@ -16,16 +15,13 @@
 #include "limpet/app/heartbeat.hpp"
 #include "limpet/app/host_faults.hpp"
 #include "limpet/app/run_app.hpp"
+#include "limpet/core/byte_units.hpp"
 #include "limpet/core/clock.hpp"
+#include "limpet/core/host_name.hpp"
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
 namespace {
-
-std::string HostName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "localhost";
-}
 
 std::string AddressOf(const std::string& listen_on) {
   if (listen_on == "loopback") {
@@ -34,7 +30,7 @@ std::string AddressOf(const std::string& listen_on) {
   return listen_on == "all" ? "0.0.0.0" : listen_on;
 }
 
-std::size_t BytesOf(double mib) { return static_cast<std::size_t>(mib * 1024.0 * 1024.0); }
+std::size_t BytesOf(double mib) { return static_cast<std::size_t>(mib * kBytesPerMib); }
 
 /// The file that a launcher holds open for this process and its successors; -1 if there is none.
 int KeptDescriptor() {
@@ -59,7 +55,7 @@ TcpBrokerOptions OptionsOf(const AppCommand& command) {
   const DatabaseParams params = ParamsOf(command.mission);
   TcpBrokerOptions options;
   options.broker.community = command.community;
-  options.broker.hostname = HostName();
+  options.broker.hostname = HostName().value_or("localhost");
   options.broker.limits.clients = static_cast<std::size_t>(params.max_clients);
   options.broker.limits.variables = static_cast<std::size_t>(params.max_variables);
   options.broker.limits.queue = BytesOf(params.queue_mib);

@@ -8,6 +8,7 @@
 #include "apps/pLog/log_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
 namespace {
@@ -107,8 +108,7 @@ void LogApp::SubscribeToAll() {
 }
 
 void LogApp::OnMail(const MessagePtr& message) {
-  constexpr std::int32_t kLatestId = -1;  // of what is sent because somebody registered
-  if (logged_until_ && message->id == kLatestId && message->time <= *logged_until_) {
+  if (logged_until_ && message->id == message_id::kLatest && message->time <= *logged_until_) {
     return;
   }
   const bool is_left_out = std::holds_alternative<Binary>(message->value) && !logs_binaries_;

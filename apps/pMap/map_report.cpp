@@ -124,7 +124,7 @@ void MapApp::Report(ReportLines& report) const {
                   std::string(NameOf(object.decided)),
                   fmt::format("{:.3f}", object.posterior.present()), std::to_string(object.looks),
                   std::to_string(object.looks_with_box),
-                  object.prior_id ? std::to_string(*object.prior_id) : "-"});
+                  object.former_id ? std::to_string(*object.former_id) : "-"});
   }
   report.Add(table);
 }

@@ -37,7 +37,7 @@ void AddLandmarks(const std::vector<Landmark>& landmarks, ReportLines& report) {
                   fmt::format("{:.2f}", landmark.object.p_W.x()),
                   fmt::format("{:.2f}", landmark.object.p_W.y()),
                   fmt::format("{:.2f}", landmark.object.p_W.z()), fmt::format("{:.2f}", sd(0)),
-                  fmt::format("{:.2f}", sd(1)), std::to_string(landmark.looks),
+                  fmt::format("{:.2f}", sd(1)), std::to_string(landmark.detections),
                   FormerOf(landmark)});
   }
   report.Add(table);

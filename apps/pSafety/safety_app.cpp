@@ -7,6 +7,7 @@
 
 #include "apps/pSafety/safety_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/core/byte_units.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr Seconds kActionPeriod(1.0), kStatePeriod(5.0), kDiskPeriod(10.0);
 constexpr Seconds kRecallTime(2.0);  ///< a database without a former state sends none
-constexpr double kBytesPerMib = 1024.0 * 1024.0;
 /// What is only counted or compared need not come at its full rate.
 constexpr Seconds kImuPeriod(0.25), kPressurePeriod(0.25);
 

@@ -2,11 +2,11 @@
 #include "apps/pShare/share_app.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
 #include "apps/pShare/share_warnings.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/sharing/share_datagram.hpp"
 #include "limpet/wire/message_conversion.hpp"
 
@@ -19,12 +19,7 @@ std::string OwnName(const AppContext& context, const ShareParams& params) {
   return params.sender.empty() ? context.Global("Community") + "/" + context.name : params.sender;
 }
 
-std::string CommandName(std::string app) {
-  std::ranges::transform(app, app.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::toupper(letter));
-  });
-  return app + "_CMD";
-}
+std::string CommandName(std::string_view app) { return UpperCase(app) + "_CMD"; }
 
 WarningId WarningOf(ShareRefusal refusal) {
   return warnings::kRefusedDatagrams.Of(NameOf(refusal));

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include "apps/pShare/share_app.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
 
 void ShareApp::OnCommand(const MessagePtr& message) {
   const auto* text = std::get_if<std::string>(&message->value);
-  constexpr std::int32_t kLatestId = -1;  // of what is sent because somebody registered
-  if (message->id == kLatestId && message->time < start_) {
+  if (message->id == message_id::kLatest && message->time < start_) {
     return;  // meant for a former self; of live ones the sender's clock may be wrong
   }
   const auto command = ParseShareCommand(text == nullptr ? "" : *text);

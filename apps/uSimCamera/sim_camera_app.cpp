@@ -87,21 +87,18 @@ void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenari
   // The place looks the same in every session; noise and specks do not.
   const std::uint64_t seabed_seed = MixSeed(context.seed, "seabed texture");
   const std::uint64_t noise_seed = MakeRandom("image noise").Bits();
+  const SceneSettings scene{.camera = camera_,
+                            .seabed_depth = depth,
+                            .visibility_m = scenario.water.visibility_m,
+                            .seabed_seed = seabed_seed,
+                            .noise_seed = noise_seed};
   if (scenario.image.look == "plain") {
-    renderer_.emplace(SceneSettings{.camera = camera_,
-                                    .seabed_depth = depth,
-                                    .visibility_m = scenario.water.visibility_m,
-                                    .seabed_seed = seabed_seed,
-                                    .noise_seed = noise_seed});
+    renderer_.emplace(scene);
   } else {
     pictures_.emplace(
-        PictureSettings{.camera = camera_,
-                        .seabed_depth = depth,
-                        .visibility_m = scenario.water.visibility_m,
+        PictureSettings{.scene = scene,
                         .image = scenario.image,
-                        .decoys_per_image = scenario.sensors.false_detections_per_image,
-                        .seabed_seed = seabed_seed,
-                        .noise_seed = noise_seed});
+                        .decoys_per_image = scenario.sensors.false_detections_per_image});
   }
   if (!lens_.is_pinhole()) lens_image_.emplace(lens_);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "estimation/matching/assignment.hpp"
 #include "estimation/smoothing/camera_point.hpp"
@@ -20,10 +21,10 @@ constexpr double kReach = 3.0;           // [m] beyond the greatest distance it 
 
 /// Other tracks, free, that a box fits nearly as well as the one that it is assigned to.
 int CountRivals(const Eigen::MatrixXd& costs, Eigen::Index row, int track,
-                const std::vector<int>& assigned) {
+                const std::vector<std::optional<int>>& assigned) {
   int rivals = 0;
   for (Eigen::Index j = 0; j < costs.cols(); ++j) {
-    const bool is_taken = std::ranges::count(assigned, static_cast<int>(j)) > 0;
+    const bool is_taken = std::ranges::count(assigned, std::optional(static_cast<int>(j))) > 0;
     const bool is_rival =
         track >= 0 && j != track && !is_taken && costs(row, j) < costs(row, track) + kAmbiguous;
     rivals += is_rival ? 1 : 0;
@@ -36,15 +37,15 @@ int CountRivals(const Eigen::MatrixXd& costs, Eigen::Index row, int track,
 std::vector<Association> FrameAssociator::Assign(const Viewpoint& from,
                                                  const std::vector<Candidate>& candidates) const {
   const Eigen::MatrixXd costs = Costs(from, candidates);
-  const std::vector<int> assigned = AssignOneToOne(costs, 0.0);
+  const std::vector<std::optional<int>> assigned = AssignOneToOne(costs, 0.0);
   std::vector<Association> associations(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const int track = assigned[i];
-    if (track < 0) continue;
-    const int rivals = CountRivals(costs, static_cast<Eigen::Index>(i), track, assigned);
+    const std::optional<int> track = assigned[i];
+    if (!track) continue;
+    const int rivals = CountRivals(costs, static_cast<Eigen::Index>(i), *track, assigned);
     associations[i] = {
         .kind = rivals > 0 ? Association::Kind::kAmbiguous : Association::Kind::kTrack,
-        .track = static_cast<std::size_t>(track)};
+        .track = static_cast<std::size_t>(*track)};
   }
   return associations;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "estimation/association/usual_distance.hpp"
 #include "estimation/association/visibility.hpp"
 
 namespace limpet {
@@ -14,7 +15,6 @@ constexpr std::size_t kLeastLooks = 8;
 constexpr double kLeastSpan = 3.0;     // [s] of looks that can show a motion
 constexpr double kLeastMotion = 0.12;  // [m] of both axes together: what a mount or clock may leave
 constexpr double kClear = 3.0;         // variance of all of it as a share of the noise's
-constexpr double kUsualDistance = 3.0;  // [m] when the box does not tell
 
 /// Where a look has the object in the plane of its height, off its place [m].
 struct PlaneLook {

@@ -11,17 +11,17 @@ namespace limpet {
 std::optional<SizeSlot> ObjectSizes::Take(double believed) {
   if (!(*spread_ > 0.0)) return std::nullopt;
   constexpr int kSizes = 3;  // in one variable
-  if (next_.slot < 0 || next_.index == kSizes) {
-    next_ = {.slot = smoother_->AddObjectSizes(Eigen::Vector3d::Zero())};
+  if (!next_ || next_->index == kSizes) {
+    next_ = SizeSlot{.slot = smoother_->AddObjectSizes(Eigen::Vector3d::Zero())};
     // The linear tails of the loss let a size be quite another.
     for (int i = 0; i < kSizes; ++i) {
-      smoother_->AddBorderTerm(
-          next_.slot, Term::OnBorder(SharedPriorFactor(i, spread_), next_.slot, Loss::Huber(1.0)));
+      smoother_->AddBorderTerm(next_->slot, Term::OnBorder(SharedPriorFactor(i, spread_),
+                                                           next_->slot, Loss::Huber(1.0)));
     }
   }
-  SizeSlot taken = next_;
+  SizeSlot taken = *next_;
   taken.believed = believed;
-  ++next_.index;
+  ++next_->index;
   return taken;
 }
 

@@ -47,7 +47,7 @@ class ObjectSizes {
   /// By slot, as of the last time that sizes were learnt while it was at hand.
   std::map<int, Eigen::Vector3d> variances_;
   Smoother* smoother_;
-  SizeSlot next_{.slot = -1};
+  std::optional<SizeSlot> next_;  ///< of the last variable; nothing before the first
 };
 
 }  // namespace limpet

@@ -8,6 +8,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "estimation/association/usual_distance.hpp"
 #include "estimation/smoothing/factors/camera_errors_factor.hpp"
 #include "estimation/smoothing/factors/object_size_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
@@ -18,8 +19,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kUsualDistance = 3.0;  // [m] when nothing tells
-constexpr double kLeastDepth = 0.8;     // [m]
+constexpr double kLeastDepth = 0.8;  // [m]
 constexpr int kIterations = 6;
 constexpr double kKnownSize = 1e-4;  // 1-sigma of the logarithm of a size that is not in doubt
 // A size far from what is believed is likelier than a Gaussian has it: mapped objects have the

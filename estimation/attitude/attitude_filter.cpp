@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "estimation/attitude/time_leap.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/gravity.hpp"
 
@@ -15,9 +16,7 @@ namespace {
 
 constexpr double kFogMaxAge = 0.2;    // [s] beyond it the IMU's own z rate serves
 constexpr double kLongestStep = 0.5;  // [s] a longer gap is integrated as this much
-constexpr double kLeap = 30.0;        // [s] that one sample alone does not prove
-constexpr double kLeapPace = 1.0;     // [s] between samples that prove it together
-constexpr int kBelieve = 3;           // samples in a row
+constexpr int kBelieve = 3;           // samples in a row that were set back
 
 /// Roll and pitch that make `force` the reaction to gravity (0, 0, -g).
 Eigen::Vector2d TiltFromForce(const Eigen::Vector3d& force) {
@@ -53,11 +52,11 @@ bool AttitudeFilter::IsInOrder(const InertialInput& input) {
     return true;
   }
   const double dt = input.t - estimate_->t;
-  if (dt > kLeap) {
-    const bool follows = leaps_ > 0 && std::abs(input.t - leapt_to_) < kLeapPace;
+  if (dt > kTimeLeap) {
+    const bool follows = leaps_ > 0 && std::abs(input.t - leapt_to_) < kLeapAgreement;
     leaps_ = follows ? leaps_ + 1 : 1;
     leapt_to_ = input.t;
-    return leaps_ >= kBelieve;
+    return leaps_ >= kLeapSamples;
   }
   leaps_ = 0;
   set_back_ += dt < 0.0 ? 1 : 0;

@@ -143,15 +143,15 @@ bool ObjectStatuses::AreOne(const Landmark& a, const Landmark& b) const {
 }
 
 void ObjectStatuses::MergeLandmarks() {
-  std::vector<const Landmark*> by_looks;
+  std::vector<const Landmark*> by_detections;
   for (const Landmark& landmark : landmarks_) {
-    by_looks.push_back(&landmark);
+    by_detections.push_back(&landmark);
   }
-  std::ranges::stable_sort(by_looks,
-                           [](const auto* a, const auto* b) { return a->looks > b->looks; });
+  std::ranges::stable_sort(
+      by_detections, [](const auto* a, const auto* b) { return a->detections > b->detections; });
   objects_.clear();
   representative_.clear();
-  for (const Landmark* landmark : by_looks) {
+  for (const Landmark* landmark : by_detections) {
     const auto same = std::ranges::find_if(
         objects_, [&](const Landmark& object) { return AreOne(object, *landmark); });
     representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
@@ -199,13 +199,13 @@ int ObjectStatuses::IdOfLandmark(int landmark) {
 
 OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
   const FormerObject& former = (*former_)[index];
-  const int now = match_.now_of_former[index];
-  const Landmark* object = now < 0 ? nullptr : &objects_[static_cast<std::size_t>(now)];
+  const std::optional<int> now = match_.now_of_former[index];
+  const Landmark* object = now ? &objects_[static_cast<std::size_t>(*now)] : nullptr;
   const PlaceWatch& watch =
       object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
   OpiBelief status{.id = static_cast<int>(index) + 1,
                    .landmark = object != nullptr ? std::optional(object->id) : std::nullopt,
-                   .prior_id = former.id,
+                   .former_id = former.id,
                    .object = object != nullptr ? object->object : FormerPlace(index),
                    .log_likelihood_ratio = LambdaOf(watch),
                    .looks = Looks(watch),
@@ -250,7 +250,7 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfTentative(TentativeObject& tent
     return std::nullopt;
   }
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
-    if (match_.now_of_former[i] < 0 &&
+    if (!match_.now_of_former[i] &&
         HorizontalDistance(FormerPlace(i), tentative.place) < kTentativeReach) {
       return std::nullopt;
     }
@@ -270,8 +270,8 @@ std::vector<OpiBelief> ObjectStatuses::Assess() {
   std::vector<bool> is_matched(objects_.size(), false);
   for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
     objects.push_back(StatusOfFormer(i));
-    if (match_.now_of_former[i] >= 0) {
-      is_matched[static_cast<std::size_t>(match_.now_of_former[i])] = true;
+    if (const std::optional<int> now = match_.now_of_former[i]) {
+      is_matched[static_cast<std::size_t>(*now)] = true;
     }
   }
   for (std::size_t i = 0; i < objects_.size(); ++i) {

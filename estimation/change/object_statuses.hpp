@@ -97,8 +97,8 @@ class ObjectStatuses {
   [[nodiscard]] VisibilityBelief Water() const;
   /// Places that boxes hint at but that nobody is sent to, because there were too many.
   [[nodiscard]] int tentative_left_out() const { return tentative_.left_out(); }
-  /// Landmarks that were often seen, and that the book believes to be none: their boxes do not look
-  /// as such an object would.
+  /// Landmarks that were often detected and are believed to be none: their boxes do not look as
+  /// such an object would.
   [[nodiscard]] int landmarks_doubted() const { return landmarks_doubted_; }
   /// The landmark that stands for `landmark` after merging; nothing if it is not
   /// confirmed.

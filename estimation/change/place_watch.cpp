@@ -18,7 +18,9 @@ constexpr double kLeastFalseAlarm = 2e-5;
 constexpr double kLargestFalseAlarm = 0.2;
 
 // A false box has any colour and any size; one that could be this object is rarer.
-constexpr double kSameColor = 0.25;
+// Not what two painted objects have in common, which moves are weighed by: a detector's mistake is
+// of any of the colours that it knows.
+constexpr double kFalseBoxHasColor = 0.25;
 constexpr double kSameSize = 0.4;
 constexpr double kSmallestSize = 0.6;  ///< of the expected, for a box that the border leaves whole
 constexpr double kLargestSize = 1.6;
@@ -76,7 +78,7 @@ double FalseAlarm(const Foresight& foresight, const WatchModel& model) {
   const double wider =
       1.0 + 2.0 * std::log(foresight.size_slack) / std::log(kLargestSize / kSmallestSize);
   const double same_size = std::min(kSameSize * wider, 1.0);
-  const double rate = kSameColor * same_size * model.detection.false_per_image;
+  const double rate = kFalseBoxHasColor * same_size * model.detection.false_per_image;
   return std::clamp(rate * std::min(gate_area / image_area, 1.0), kLeastFalseAlarm,
                     kLargestFalseAlarm);
 }

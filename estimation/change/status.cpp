@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "estimation/change/log_space.hpp"
+#include "limpet/core/logistic.hpp"
 
 namespace limpet {
 
@@ -49,8 +50,8 @@ StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors) {
   const double log_odds = std::log(priors.presence) - std::log1p(-priors.presence) + lambda_now;
   return {.confirmed = 0.0,
           .removed = 0.0,
-          .appeared = 1.0 / (1.0 + std::exp(-log_odds)),
-          .nothing = 1.0 / (1.0 + std::exp(log_odds))};
+          .appeared = Logistic(log_odds),
+          .nothing = Logistic(-log_odds)};
 }
 
 StatusPosterior ChangeStatus(double lambda_former, const PlaceEvidence& now,

@@ -3,6 +3,7 @@
 // seen.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "estimation/change/object_statuses.hpp"
@@ -46,8 +47,8 @@ void ObjectStatuses::TakeCandidates(const Landmark& landmark, std::size_t object
     const auto found = std::ranges::find(*former_, former_id, &FormerObject::id);
     if (found == former_->end()) return;  // of another former session
     const auto i = found - former_->begin();
-    int& now = match_.now_of_former[static_cast<std::size_t>(i)];
-    if (is_best && now < 0) now = static_cast<int>(object);
+    std::optional<int>& now = match_.now_of_former[static_cast<std::size_t>(i)];
+    if (is_best && !now) now = static_cast<int>(object);
     match_.chance(i, static_cast<Eigen::Index>(object)) = std::clamp(chance, 0.0, 1.0);
   };
   for (const FormerCandidate& candidate : landmark.former_candidates)
@@ -65,15 +66,15 @@ void ObjectStatuses::TakeMatches() {
   for (const Landmark& object : objects_) {
     now.push_back(object.object);
   }
-  match_.now_of_former.assign(former.size(), -1);
+  match_.now_of_former.assign(former.size(), std::nullopt);
   match_.chance.setZero(static_cast<Eigen::Index>(former.size()),
                         static_cast<Eigen::Index>(now.size()));
   for (std::size_t j = 0; j < objects_.size(); ++j)
     TakeCandidates(objects_[j], j);
   // The offset rests on what is decided alone.
-  std::vector<int> decided = match_.now_of_former;
-  for (int& now_of : decided) {
-    if (now_of >= 0 && !HasDecidedFormer(objects_[static_cast<std::size_t>(now_of)])) now_of = -1;
+  FormerMatches decided = match_.now_of_former;
+  for (std::optional<int>& now_of : decided) {
+    if (now_of && !HasDecidedFormer(objects_[static_cast<std::size_t>(*now_of)])) now_of.reset();
   }
   const SessionMatch fit =
       FitSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),
@@ -99,10 +100,10 @@ StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t index) const {
     if (chance > 0.0) add(landmark_watch_.at(objects_[j].id), chance);
   }
   const double rest = 1.0 - ChanceOfFormer(index);
-  const int stands_in = match_.now_of_former[index];
-  if (rest > 0.0 && stands_in >= 0) {
+  const std::optional<int> stands_in = match_.now_of_former[index];
+  if (rest > 0.0 && stands_in) {
     // Moved to where the landmark is, or gone and another one came: that one is there in any case.
-    const PlaceWatch& watch = landmark_watch_.at(objects_[static_cast<std::size_t>(stands_in)].id);
+    const PlaceWatch& watch = landmark_watch_.at(objects_[static_cast<std::size_t>(*stands_in)].id);
     sum.Add(ChangeStatus(kNothingThere, watch.evidence(), water_, params_.priors), rest);
   } else if (former_watch_[index]) {
     add(*former_watch_[index], rest);
@@ -148,7 +149,7 @@ ObjectEstimate ObjectStatuses::FormerPlace(std::size_t index) const {
 void ObjectStatuses::WatchFormer(bool rejudges_all) {
   for (std::size_t i = 0; i < former_->size(); ++i) {
     std::optional<PlaceWatch>& watch = former_watch_[i];
-    if (match_.now_of_former[i] >= 0 && ChanceOfFormer(i) >= 1.0) {
+    if (match_.now_of_former[i] && ChanceOfFormer(i) >= 1.0) {
       watch.reset();
       continue;
     }

@@ -45,14 +45,14 @@ void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
     return a.probability != b.probability ? a.probability > b.probability : a.distance < b.distance;
   });
   for (const MovedPair& pair : pairs) {
-    if (!pair.removed->prior_id || pair.appeared->decided == Status::kMoved) continue;
+    if (!pair.removed->former_id || pair.appeared->decided == Status::kMoved) continue;
     pair.appeared->decided = Status::kMoved;
-    pair.appeared->prior_id = pair.removed->prior_id;
+    pair.appeared->former_id = pair.removed->former_id;
     pair.appeared->moved_probability = pair.probability;
-    pair.removed->prior_id.reset();  // its story goes on in the other entry
+    pair.removed->former_id.reset();  // its story goes on in the other entry
   }
   std::erase_if(objects, [](const OpiBelief& object) {
-    return object.decided == Status::kRemoved && !object.prior_id;
+    return object.decided == Status::kRemoved && !object.former_id;
   });
 }
 
@@ -63,7 +63,7 @@ int ObjectStatuses::CountDoubted(const std::vector<OpiBelief>& objects) const {
     const bool is_believed = std::ranges::any_of(objects, [&](const OpiBelief& object) {
       return object.landmark == landmark.id && object.posterior.present() >= kLikely;
     });
-    return landmark.looks >= kOften && !is_believed;
+    return landmark.detections >= kOften && !is_believed;
   }));
 }
 

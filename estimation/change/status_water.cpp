@@ -42,7 +42,8 @@ VisibilityBelief ObjectStatuses::FormerWater() {
   const double was_there = stayed / (stayed + came);  // of what is here now
   VisibilityBelief water = former_views_.water;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
-    const auto matched = std::ranges::find(match_.now_of_former, static_cast<int>(i));
+    const auto matched =
+        std::ranges::find(match_.now_of_former, std::optional(static_cast<int>(i)));
     if (matched != match_.now_of_former.end()) continue;
     water.Add(FormerWatchAt(objects_[i]).LogLikelihood(kWorth, was_there), kMostOfOnePlace);
   }

@@ -18,20 +18,20 @@ using VoxelIndex = std::array<std::int32_t, 3>;
 /// voxels alone, so it always arrives, however the crossings round.
 class BeamWalk {
  public:
-  /// Both ends in voxels.
-  BeamWalk(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  /// Both ends in voxels along the axes of W.
+  BeamWalk(const Eigen::Vector3d& from_W, const Eigen::Vector3d& to_W) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<Eigen::Index>(axis);
-      const double first = std::floor(from[i]);
-      const double off = to[i] - from[i];
+      const double first = std::floor(from_W[i]);
+      const double off = to_W[i] - from_W[i];
       at_[axis] = static_cast<std::int32_t>(first);
-      const std::int32_t way = static_cast<std::int32_t>(std::floor(to[i])) - at_[axis];
+      const std::int32_t way = static_cast<std::int32_t>(std::floor(to_W[i])) - at_[axis];
       left_[axis] = std::abs(way);
       steps_ += left_[axis];
       step_[axis] = way < 0 ? -1 : 1;
       if (way != 0) {
         per_voxel_[axis] = 1.0 / std::abs(off);
-        crossing_[axis] = ((way > 0 ? first + 1.0 : first) - from[i]) / off;
+        crossing_[axis] = ((way > 0 ? first + 1.0 : first) - from_W[i]) / off;
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "estimation/mapping/beam_walk.hpp"
+#include "estimation/mapping/semantic_octree.hpp"
 
 namespace limpet {
 
@@ -113,10 +114,10 @@ bool GroundLooks::IsInSight(const ObservedFrame& frame, const SemanticMap& map,
 }
 
 float GroundLooks::LogOdds(const VoxelKey& key) const {
-  constexpr double kMost = 3.5;  // as SemanticOctree clamps
   const auto found = known_.columns.find({key[0], key[1]});
   if (found == known_.columns.end()) return 0.0F;
-  return static_cast<float>(std::max(-kMost, found->second.passes + found->second.pass));
+  return static_cast<float>(
+      std::max(-kMostVoxelLogOdds, found->second.passes + found->second.pass));
 }
 
 }  // namespace limpet

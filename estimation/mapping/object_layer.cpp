@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/mapping/status_label.hpp"
+
 namespace limpet {
 namespace {
 
@@ -15,24 +17,6 @@ constexpr double kRejudgeDistance = 0.3;
 double LogOdds(double p) {
   const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
   return std::log(safe / (1.0 - safe));
-}
-
-VoxelLabel LabelOf(const OpiBelief& status) {
-  switch (status.decided) {
-    case Status::kConfirmed:
-      return VoxelLabel::kConfirmed;
-    case Status::kRemoved:
-      return VoxelLabel::kRemoved;
-    case Status::kNew:
-      return VoxelLabel::kNew;
-    case Status::kMoved:
-      return VoxelLabel::kMoved;
-    case Status::kUncertain:
-    case Status::kNotInspected:
-    case Status::kNothing:
-      break;
-  }
-  return VoxelLabel::kUncertain;
 }
 
 }  // namespace
@@ -70,13 +54,13 @@ double ObjectLayer::MissLogOdds(const Pose& X_WB, const Painted& object) const {
 }
 
 void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
-                       const ObjectStatuses& book) const {
+                       const ObjectStatuses& statuses) const {
   const Eigen::Vector3d& p_W = object.status.object.p_W;
   const Eigen::Vector3d p_OC = frame.X_WB.p_WB - p_W;
   if (!object.status.landmark || !IsNewViewpoint(object, p_OC)) {
     return;
   }
-  if (const Box* box = book.BoxOf(object.status, frame)) {
+  if (const Box* box = statuses.BoxOf(object.status, frame)) {
     const double depth = camera_.InCamera(frame.X_WB, p_W).z();
     const Eigen::Vector2d half_px =
         RadiusOf(object) / depth * Eigen::Vector2d(camera_.fx, camera_.fy);
@@ -97,13 +81,13 @@ void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
   object.is_stale = true;
 }
 
-void ObjectLayer::AddFrame(const ObservedFrame& frame, const ObjectStatuses& book) {
+void ObjectLayer::AddFrame(const ObservedFrame& frame, const ObjectStatuses& statuses) {
   for (auto& [id, object] : objects_) {
-    Look(object, frame, book);
+    Look(object, frame, statuses);
   }
 }
 
-void ObjectLayer::Judge(Painted& object, const ObjectStatuses& book) const {
+void ObjectLayer::Judge(Painted& object, const ObjectStatuses& statuses) const {
   std::map<double, Eigen::Vector3d> object_W;  // a look keeps to where the object was thought to be
   for (const ObjectLook& look : object.looks) {
     object_W[look.time] = look.object_W;
@@ -114,8 +98,8 @@ void ObjectLayer::Judge(Painted& object, const ObjectStatuses& book) const {
   object.last_viewpoint.reset();
   object.judged_at_W = object.status.object.p_W;
   object.is_of_other_water = false;
-  for (const ObservedFrame& frame : book.frames()) {
-    Look(object, frame, book);
+  for (const ObservedFrame& frame : statuses.frames()) {
+    Look(object, frame, statuses);
   }
   for (ObjectLook& look : object.looks) {
     const auto known = object_W.find(look.time);
@@ -124,7 +108,7 @@ void ObjectLayer::Judge(Painted& object, const ObjectStatuses& book) const {
 }
 
 void ObjectLayer::Follow(Painted& object, const OpiBelief& status,
-                         const ObjectStatuses& book) const {
+                         const ObjectStatuses& statuses) const {
   const bool is_another = object.status.landmark != status.landmark;
   const double moved = (object.status.object.p_W - status.object.p_W).norm();
   object.is_stale = object.is_stale || is_another || moved > params_.repaint_at.value() ||
@@ -137,14 +121,14 @@ void ObjectLayer::Follow(Painted& object, const OpiBelief& status,
   // At a place where it was thought to be before, frames showed nothing: no evidence against it.
   if (is_another || object.is_of_other_water ||
       (object.judged_at_W - status.object.p_W).norm() > kRejudgeDistance) {
-    Judge(object, book);
+    Judge(object, statuses);
     object.is_stale = true;
   } else if (!object.is_stale) {
     object.status.object.p_W = painted_at;  // small steps add up until they are worth a repaint
   }
 }
 
-void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
+void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& statuses,
                              SemanticMap& map) {
   std::map<int, Painted> kept;
   for (const OpiBelief& status : objects) {
@@ -153,7 +137,7 @@ void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const Object
     if (known != objects_.end()) {
       objects_.erase(known);
     }
-    Follow(object, status, book);
+    Follow(object, status, statuses);
     kept.emplace(status.id, std::move(object));
   }
   for (const auto& [id, gone] : objects_) {
@@ -208,7 +192,7 @@ void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
     map.Paint(key, {.occupied = kOccupiedPerLook * looks,
                     .object = static_cast<float>(log_odds),
                     .exists = static_cast<float>(LogOdds(object.status.posterior.present())),
-                    .label = LabelOf(object.status)});
+                    .label = LabelOf(object.status.decided)});
     if (log_odds > LogOdds(params_.threshold)) {
       certain.push_back(key);
     }

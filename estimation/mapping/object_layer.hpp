@@ -28,10 +28,10 @@ class ObjectLayer {
   /// objects are set next.
   void SetDetection(const DetectionModel& detection);
   /// One frame: at most one look at each known object.
-  void AddFrame(const ObservedFrame& frame, const ObjectStatuses& book);
-  /// All objects as now believed; new ones are judged from all frames of the book. Paints what has
-  /// changed. What no look of this session showed has no voxels, nor has what is removed.
-  void SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& book,
+  void AddFrame(const ObservedFrame& frame, const ObjectStatuses& statuses);
+  /// All objects as now believed; new ones are judged from all frames of `statuses`. Paints what
+  /// has changed. What no look of this session showed has no voxels, nor has what is removed.
+  void SetObjects(const std::vector<OpiBelief>& objects, const ObjectStatuses& statuses,
                   SemanticMap& map);
   /// The object's largest cluster of voxels; nothing before they pass the threshold.
   [[nodiscard]] std::optional<ObjectCluster> Cluster(int object) const;
@@ -50,15 +50,15 @@ class ObjectLayer {
     bool is_of_other_water = false;  ///< its looks were judged by another detection than now
   };
 
-  void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& book) const;
+  void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& statuses) const;
   [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
   [[nodiscard]] double RadiusOf(const Painted& object) const;
   /// What a frame without a box says; 0 where it would more likely than not have
   /// been overlooked.
   [[nodiscard]] double MissLogOdds(const Pose& X_WB, const Painted& object) const;
-  /// Takes the object's looks from all frames of the book.
-  void Judge(Painted& object, const ObjectStatuses& book) const;
-  void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& book) const;
+  /// Takes the object's looks from all frames of `statuses`.
+  void Judge(Painted& object, const ObjectStatuses& statuses) const;
+  void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& statuses) const;
   void Repaint(Painted& object, SemanticMap& map) const;
   [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,
                                                   double resolution) const;

@@ -12,7 +12,7 @@
 namespace limpet {
 namespace {
 
-constexpr float kClamp = 3.5F;
+constexpr auto kClamp = static_cast<float>(kMostVoxelLogOdds);
 
 octomap::point3d PointOf(const Eigen::Vector3d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};

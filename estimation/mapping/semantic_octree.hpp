@@ -41,9 +41,12 @@ struct Voxel {
   VoxelBelief belief;
 };
 
+/// Most that a voxel's log-odds of its object and of its being there come to, either way.
+inline constexpr double kMostVoxelLogOdds = 3.5;
+
 /// A map as it is saved and read: an octree over NED whose voxels know whether they are occupied,
 /// belong to an object, and whether that object is there now. Log-odds are clamped to [0.12, 0.97]
-/// in probability for occupancy [Hornung 2013] and to +-3.5 for the others.
+/// in probability for occupancy [Hornung 2013] and to +-kMostVoxelLogOdds for the others.
 class SemanticOctree {
  public:
   explicit SemanticOctree(Meters resolution = Meters(0.2));

@@ -5,7 +5,7 @@
 
 namespace limpet {
 
-std::vector<int> AssignOneToOne(const Eigen::MatrixXd& costs, double unassigned) {
+std::vector<std::optional<int>> AssignOneToOne(const Eigen::MatrixXd& costs, double unassigned) {
   // Hungarian method [Kuhn 1955] with potentials; each row has a column of its own that means
   // "none".
   const auto rows = static_cast<int>(costs.rows()), real = static_cast<int>(costs.cols());
@@ -48,7 +48,7 @@ std::vector<int> AssignOneToOne(const Eigen::MatrixXd& costs, double unassigned)
       row_of[at(column)] = row_of[at(from[at(column)])];
     }
   }
-  std::vector<int> result(at(rows), -1);
+  std::vector<std::optional<int>> result(at(rows));
   for (int j = 1; j <= real; ++j) {
     const int i = row_of[at(j)];
     if (i > 0 && costs(i - 1, j - 1) < unassigned) {

@@ -7,20 +7,20 @@
 
 namespace limpet {
 
-Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former) const {
+Eigen::Vector3d FrameOffset::Apply(const Eigen::Vector3d& former_W) const {
   const Eigen::Vector2d moved =
-      pivot_W + Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot_W) + shift_W;
-  return {moved.x(), moved.y(), former.z() + down};
+      pivot_W + Eigen::Rotation2Dd(turn) * (former_W.head<2>() - pivot_W) + shift_W;
+  return {moved.x(), moved.y(), former_W.z() + down};
 }
 
-Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now) const {
+Eigen::Vector3d FrameOffset::Undo(const Eigen::Vector3d& now_W) const {
   const Eigen::Vector2d moved =
-      pivot_W + Eigen::Rotation2Dd(-turn) * (now.head<2>() - pivot_W - shift_W);
-  return {moved.x(), moved.y(), now.z() - down};
+      pivot_W + Eigen::Rotation2Dd(-turn) * (now_W.head<2>() - pivot_W - shift_W);
+  return {moved.x(), moved.y(), now_W.z() - down};
 }
 
-Eigen::Matrix<double, 3, 4> FrameOffset::Jacobian(const Eigen::Vector3d& former) const {
-  const Eigen::Vector2d arm = Eigen::Rotation2Dd(turn) * (former.head<2>() - pivot_W);
+Eigen::Matrix<double, 3, 4> FrameOffset::Jacobian(const Eigen::Vector3d& former_W) const {
+  const Eigen::Vector2d arm = Eigen::Rotation2Dd(turn) * (former_W.head<2>() - pivot_W);
   Eigen::Matrix<double, 3, 4> J;
   J << 1.0, 0.0, 0.0, -arm.y(),  //
       0.0, 1.0, 0.0, arm.x(),    //

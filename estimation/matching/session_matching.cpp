@@ -40,7 +40,7 @@ class SessionMatcher {
   }
 
   /// The offset of given matches.
-  [[nodiscard]] SessionMatch Fit(std::vector<int> now_of_former) const {
+  [[nodiscard]] SessionMatch Fit(FormerMatches now_of_former) const {
     SessionMatch match{.now_of_former = std::move(now_of_former)};
     FitOffset(match);
     return match;
@@ -49,7 +49,7 @@ class SessionMatcher {
  private:
   using Pair = std::pair<std::size_t, int>;  // indices of a former and of a present object
   struct Hypothesis {
-    std::vector<int> now_of_former;
+    FormerMatches now_of_former;
     double weight = 1.0;  // likelihood relative to the best
   };
 
@@ -176,8 +176,8 @@ class SessionMatcher {
     return error.dot(covariance.inverse() * error) + ColorCost(a, b);
   }
 
-  [[nodiscard]] std::vector<int> Assign(const FrameOffset& offset,
-                                        const std::optional<Pair>& forbidden) const {
+  [[nodiscard]] FormerMatches Assign(const FrameOffset& offset,
+                                     const std::optional<Pair>& forbidden) const {
     Eigen::MatrixXd costs(former_.size(), now_.size());
     for (Eigen::Index i = 0; i < costs.rows(); ++i) {
       for (Eigen::Index j = 0; j < costs.cols(); ++j) {
@@ -196,7 +196,7 @@ class SessionMatcher {
     SessionMatch match{.now_of_former = Assign(offset, forbidden), .offset = offset};
     for (int i = 0; i < kRefinements; ++i) {
       FitOffset(match);
-      std::vector<int> again = Assign(match.offset, forbidden);
+      FormerMatches again = Assign(match.offset, forbidden);
       if (again == match.now_of_former) {
         return match;
       }
@@ -215,10 +215,10 @@ class SessionMatcher {
       Eigen::Matrix4d information = prior_;
       Eigen::Vector4d pull = -prior_ * offset.vector();
       for (std::size_t i = 0; i < former_.size(); ++i) {
-        const int j = match.now_of_former[i];
-        if (j < 0) continue;
+        const std::optional<int> j = match.now_of_former[i];
+        if (!j) continue;
         const ObjectEstimate& a = former_[i];
-        const ObjectEstimate& b = now_[static_cast<std::size_t>(j)];
+        const ObjectEstimate& b = now_[static_cast<std::size_t>(*j)];
         Eigen::Matrix<double, 3, 4> J = offset.Jacobian(a.p_W);
         if (matches < 2) {
           J.col(3).setZero();  // one match cannot tell a turn from a shift
@@ -238,14 +238,15 @@ class SessionMatcher {
   [[nodiscard]] double Cost(const SessionMatch& match) const {
     double cost = PriorCost(match.offset);
     for (std::size_t i = 0; i < former_.size(); ++i) {
-      const int j = match.now_of_former[i];
-      cost += j < 0 ? gate_ : Distance(former_[i], now_[static_cast<std::size_t>(j)], match.offset);
+      const std::optional<int> j = match.now_of_former[i];
+      cost += j ? Distance(former_[i], now_[static_cast<std::size_t>(*j)], match.offset) : gate_;
     }
     return cost;
   }
 
-  [[nodiscard]] static std::ptrdiff_t CountOf(const std::vector<int>& now_of_former) {
-    return std::ranges::count_if(now_of_former, [](int j) { return j >= 0; });
+  [[nodiscard]] static std::ptrdiff_t CountOf(const FormerMatches& now_of_former) {
+    return std::ranges::count_if(now_of_former,
+                                 [](const std::optional<int>& j) { return j.has_value(); });
   }
 
   /// True if the offset, as far as other matches than this object's pin it, may bring the two
@@ -292,8 +293,8 @@ class SessionMatcher {
     std::vector<Hypothesis> hypotheses{{.now_of_former = best.now_of_former}};
     const double least = Cost(best);
     for (std::size_t i = 0; i < former_.size(); ++i) {
-      if (best.now_of_former[i] < 0) continue;
-      const Pair pair{i, best.now_of_former[i]};
+      if (!best.now_of_former[i]) continue;
+      const Pair pair{i, *best.now_of_former[i]};
       Hypothesis rival{.now_of_former = {}, .weight = 0.0};
       for (const FrameOffset& start : StartsWithout(pair, best)) {
         SessionMatch match = Refine(start, pair);
@@ -314,20 +315,22 @@ class SessionMatcher {
   /// that one: doubts elsewhere are none about this object.
   [[nodiscard]] Eigen::MatrixXd Chances(const SessionMatch& best) const {
     const std::vector<Hypothesis> hypotheses = Hypotheses(best);
-    const auto former_of = [](const std::vector<int>& now_of_former, Eigen::Index j) {
-      const auto found = std::ranges::find(now_of_former, static_cast<int>(j));
-      return found == now_of_former.end() ? Eigen::Index{-1} : found - now_of_former.begin();
+    const auto former_of = [](const FormerMatches& now_of_former,
+                              Eigen::Index j) -> std::optional<Eigen::Index> {
+      const auto found = std::ranges::find(now_of_former, std::optional(static_cast<int>(j)));
+      return found == now_of_former.end() ? std::nullopt
+                                          : std::optional(found - now_of_former.begin());
     };
     Eigen::MatrixXd chance = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(former_.size()),
                                                    static_cast<Eigen::Index>(now_.size()));
     for (Eigen::Index j = 0; j < chance.cols(); ++j) {
-      const Eigen::Index usual = former_of(best.now_of_former, j);
+      const std::optional<Eigen::Index> usual = former_of(best.now_of_former, j);
       double total = 0.0;
       for (std::size_t h = 0; h < hypotheses.size(); ++h) {
-        const Eigen::Index i = former_of(hypotheses[h].now_of_former, j);
+        const std::optional<Eigen::Index> i = former_of(hypotheses[h].now_of_former, j);
         if (h > 0 && i == usual) continue;
         total += hypotheses[h].weight;
-        if (i >= 0) chance(i, j) += hypotheses[h].weight;
+        if (i) chance(*i, j) += hypotheses[h].weight;
       }
       chance.col(j) /= total;
     }
@@ -358,7 +361,7 @@ SessionMatch MatchSessions(const std::vector<ObjectEstimate>& former,
 }
 
 SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
-                         const std::vector<ObjectEstimate>& now, std::vector<int> now_of_former,
+                         const std::vector<ObjectEstimate>& now, FormerMatches now_of_former,
                          const MatchingParams& params, const Eigen::Matrix4d& prior) {
   return SessionMatcher(former, now, params, prior).Fit(std::move(now_of_former));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,8 +70,11 @@ struct MatchingParams {
 /// Information of (north, east, down, turn) before any match, from the parameters alone.
 [[nodiscard]] Eigen::Matrix4d OffsetPrior(const MatchingParams& params);
 
+/// Per former object, index of this session's object, if one is matched with it.
+using FormerMatches = std::vector<std::optional<int>>;
+
 struct SessionMatch {
-  std::vector<int> now_of_former{};  ///< per former object, index of this session's object or -1
+  FormerMatches now_of_former{};
   FrameOffset offset{};
   /// Of (north, east, down, turn), given the matches.
   Eigen::Matrix4d offset_cov = Eigen::Matrix4d::Zero();
@@ -99,11 +103,11 @@ struct SessionMatch {
 /// SessionMatch, `prior` as in MatchSessions. `chance` stays empty.
 [[nodiscard]] SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
                                        const std::vector<ObjectEstimate>& now,
-                                       std::vector<int> now_of_former, const MatchingParams& params,
+                                       FormerMatches now_of_former, const MatchingParams& params,
                                        const Eigen::Matrix4d& prior);
 [[nodiscard]] inline SessionMatch FitSessions(const std::vector<ObjectEstimate>& former,
                                               const std::vector<ObjectEstimate>& now,
-                                              std::vector<int> now_of_former,
+                                              FormerMatches now_of_former,
                                               const MatchingParams& params) {
   return FitSessions(former, now, std::move(now_of_former), params, OffsetPrior(params));
 }

@@ -68,11 +68,11 @@ bool FixConsensus::IsBetter(const Group& rival) const {
 FixConsensus::Verdict FixConsensus::Add(const HeldFix& held) {
   Group& group = GroupOf(held);
   const auto number = static_cast<std::size_t>(&group - groups_.data());
-  const bool comes_back = group.last >= 0 && group.last + 1 < static_cast<int>(added_);
+  const bool comes_back = group.last && *group.last + 1 < added_;
   const double step =
       group.fixes.empty() ? 0.0 : std::min(held.fix.t - group.fixes.back().fix.t, kLongestStep);
   group.support = std::min(group.support + step + (comes_back ? kReturnWorth : 0.0), kMostSupport);
-  group.last = static_cast<int>(added_);
+  group.last = added_;
   group.fixes.push_back(held);
   const double share = std::max(1.0 / static_cast<double>(group.fixes.size()), kLatestShare);
   group.off_W += share * (held.off_W - group.off_W);

@@ -54,10 +54,10 @@ class FixConsensus {
  private:
   struct Group {
     std::vector<HeldFix> fixes;
-    Eigen::Vector2d off_W;     ///< of the latest fixes
-    bool is_predicted = true;  ///< the prediction allows it
-    double support = 0.0;      ///< [s]
-    int last = -1;             ///< of its fixes among all of the stay
+    Eigen::Vector2d off_W;                           ///< of the latest fixes
+    bool is_predicted = true;                        ///< the prediction allows it
+    double support = 0.0;                            ///< [s]
+    std::optional<std::size_t> last = std::nullopt;  ///< of its fixes among all of the stay
   };
   Group& GroupOf(const HeldFix& held);
   [[nodiscard]] bool IsAsPredicted(const HeldFix& held) const;

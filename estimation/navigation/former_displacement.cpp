@@ -93,20 +93,20 @@ std::vector<double> ChancesOfSamePlace(const std::vector<ObjectEstimate>& former
                                        const std::vector<ObjectEstimate>& now,
                                        const MatchingParams& params, const Eigen::Matrix4d& prior,
                                        SessionMatch& match) {
-  std::vector<int> fitted = match.now_of_former;
+  FormerMatches fitted = match.now_of_former;
   std::vector<double> chances(former.size(), 1.0);
   for (std::size_t round = 0; round <= kMostTakenOut; ++round) {
     std::optional<std::size_t> least;
     for (std::size_t i = 0; i < former.size(); ++i) {
-      const int j = match.now_of_former[i];
-      if (j < 0) continue;
-      const bool is_fitted = fitted[i] >= 0;
-      chances[i] = ChanceOfSamePlace({former[i], now[static_cast<std::size_t>(j)], is_fitted},
+      const std::optional<int> j = match.now_of_former[i];
+      if (!j) continue;
+      const bool is_fitted = fitted[i].has_value();
+      chances[i] = ChanceOfSamePlace({former[i], now[static_cast<std::size_t>(*j)], is_fitted},
                                      match, params);
       if (is_fitted && (!least || chances[i] < chances[*least])) least = i;
     }
     if (!least || chances[*least] >= kDecidedMatch) break;
-    fitted[*least] = -1;
+    fitted[*least].reset();
     const SessionMatch refit = FitSessions(former, now, fitted, params, prior);
     match.offset = refit.offset;
     match.offset_cov = refit.offset_cov;

@@ -256,8 +256,8 @@ std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
   std::vector<Pair> pairs;
   std::vector<bool> is_taken(former_.ids.size(), false);
   for (std::size_t i = 0; i < former_.ids.size(); ++i) {
-    if (match.now_of_former[i] < 0) continue;
-    const std::size_t now = placed[static_cast<std::size_t>(match.now_of_former[i])];
+    if (!match.now_of_former[i]) continue;
+    const std::size_t now = placed[static_cast<std::size_t>(*match.now_of_former[i])];
     is_taken[i] = true;
     if (same_place[i] <= 1.0 - kDecidedMatch) continue;  // moved, or gone and another one came
     former_ids_[now] = former_.ids[i];

@@ -10,6 +10,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/inertial_velocity.hpp"
 #include "estimation/navigation/odometry_track.hpp"
+#include "estimation/navigation/position_fix.hpp"
 #include "estimation/navigation/scalar_history.hpp"
 #include "estimation/navigation/time_gate.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
@@ -17,13 +18,6 @@
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
-
-/// A horizontal fix in W with its 1-sigma [m].
-struct PositionFix {
-  double t = 0.0;
-  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
-  double sd = 0.0;
-};
 
 /// Measurements that were refused, since the start.
 struct NavigatorCounts {

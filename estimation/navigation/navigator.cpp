@@ -291,7 +291,7 @@ std::vector<Landmark> Navigator::Landmarks() const {
                     .cov_W = covariances[landmarks.size()] + object->MotionCovariance(),
                     .color = object->Color(),
                     .size = tracker_.SizeOf(*object)},
-         .looks = static_cast<int>(object->observations.size()),
+         .detections = static_cast<int>(object->observations.size()),
          .is_confirmed = true,
          .former_id = object->former_id,
          .former_probability = object->former_probability,

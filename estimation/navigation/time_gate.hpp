@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "estimation/attitude/time_leap.hpp"
+
 namespace limpet {
 
 /// Refuses a sample that leaps ahead in time, unless others agree with it: a corrupt time must not
@@ -13,20 +15,17 @@ class TimeGate {
  public:
   /// `t`: of the sample, `last`: of the last accepted one [s].
   [[nodiscard]] bool Accepts(double t, double last) {
-    if (t - last > kLeap) {
-      if (!leaps_.empty() && std::abs(t - leaps_.back()) > kAgreement) leaps_.clear();
+    if (t - last > kTimeLeap) {
+      if (!leaps_.empty() && std::abs(t - leaps_.back()) > kLeapAgreement) leaps_.clear();
       leaps_.push_back(t);
-      if (leaps_.size() < kAgreeing) return false;
+      if (leaps_.size() < std::size_t{kLeapSamples}) return false;
     }
     leaps_.clear();
     return true;
   }
 
  private:
-  static constexpr double kLeap = 30.0;        // [s] that one sample does not prove
-  static constexpr double kAgreement = 1.0;    // [s] between samples that agree
-  static constexpr std::size_t kAgreeing = 3;  // samples that prove it
-  std::vector<double> leaps_;                  ///< times of samples in a row that leapt ahead
+  std::vector<double> leaps_;  ///< times of samples in a row that leapt ahead
 };
 
 /// Refuses measurements off their prediction, but not so many in a row: then the prediction is

@@ -38,7 +38,7 @@ std::string LandmarksCsv(const std::vector<Landmark>& landmarks) {
     const Eigen::Vector3d sd = landmark.object.sd_W();
     text += fmt::format("{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n", landmark.id,
                         landmark.object.p_W.x(), landmark.object.p_W.y(), landmark.object.p_W.z(),
-                        sd.x(), sd.y(), sd.z(), landmark.object.color, landmark.looks);
+                        sd.x(), sd.y(), sd.z(), landmark.object.color, landmark.detections);
   }
   return text;
 }

@@ -96,7 +96,7 @@ class RawlogRows {
     const auto& mean = fix.pose.mean;
     const auto& cov = fix.pose.cov;
     const double sd = std::sqrt(std::max(cov(0, 0), cov(1, 1)));
-    Add(GpsRow{rawlog::SecondsOf(fix.timestamp), {mean.x(), mean.y()}, sd},
+    Add(PositionFix{rawlog::SecondsOf(fix.timestamp), {mean.x(), mean.y()}, sd},
         {mean.x(), mean.y(), sd});
     return true;
   }
@@ -113,7 +113,7 @@ class RawlogRows {
     mrpt::topography::geodeticToENU_WGS84(
         {place.latitude_deg, place.longitude_deg, 0.0}, p_ENU,
         {stream_.datum->latitude_deg, stream_.datum->longitude_deg, 0.0});
-    Add(GpsRow{rawlog::SecondsOf(gps.timestamp), {p_ENU.y, p_ENU.x}, *sd}, {*sd});
+    Add(PositionFix{rawlog::SecondsOf(gps.timestamp), {p_ENU.y, p_ENU.x}, *sd}, {*sd});
     return true;
   }
   bool Take(const CObservationRawDAQ& some) {

@@ -108,7 +108,7 @@ class RawlogWriter {
     depth.set(mrpt::obs::IMU_Z, row.depth);
     Write(row.t, rawlog::kDepth, depth);
   }
-  void operator()(const GpsRow& row) {
+  void operator()(const PositionFix& row) {
     constexpr double kUnknown = 1e6;  // variance of what a fix does not tell
     mrpt::obs::CObservationRobotPose fix;
     fix.pose.mean = mrpt::poses::CPose3D(row.p_W.x(), row.p_W.y(), 0.0, 0.0, 0.0, 0.0);

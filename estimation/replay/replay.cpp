@@ -59,7 +59,7 @@ class Replayer {
     if (is_filtering) filter_.SetBodyVelocity(navigator_.Estimate(now_).v_B);
   }
   void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, row.depth); }
-  void operator()(const GpsRow& row) {
+  void operator()(const PositionFix& row) {
     navigator_.AddGps(row.t, row.p_W, row.sd);
     AdvanceTo(row.t);
   }
@@ -72,7 +72,7 @@ class Replayer {
       numbers_[row.frame.frame] = std::move(rectified.numbers);
     }
     for (int i = 0; i < static_cast<int>(row.frame.boxes.size()); ++i) {
-      landmark_of_[{row.frame.frame, i}] = -1;
+      landmark_of_[{row.frame.frame, i}] = std::nullopt;
     }
     AdvanceTo(row.arrival);
   }
@@ -151,7 +151,7 @@ class Replayer {
   const std::function<double()>& clock_;
   SourceFeed feed_;
   double now_ = kLongAgo;
-  std::map<std::pair<int, int>, int> landmark_of_;
+  std::map<std::pair<int, int>, std::optional<int>> landmark_of_;
   ReplayResult result_;
 };
 

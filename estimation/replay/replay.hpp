@@ -29,7 +29,7 @@ namespace limpet {
 struct ReplayAssociation {
   int frame = 0;
   int detection = 0;
-  int landmark = -1;
+  std::optional<int> landmark = std::nullopt;
 };
 
 /// What is estimated beside pose and objects, as known at that time [s].

@@ -121,7 +121,7 @@ class StreamParser {
       stream_.rows.emplace_back(DepthRow{f.Number(1), f.Number(2)});
     } else if (kind == "GPS") {
       f.Expect(5);
-      stream_.rows.emplace_back(GpsRow{f.Number(1), {f.Number(2), f.Number(3)}, f.Number(4)});
+      stream_.rows.emplace_back(PositionFix{f.Number(1), {f.Number(2), f.Number(3)}, f.Number(4)});
     } else {
       throw BadLine{fmt::format("`{}` is no kind of row (ATT, DVL, DEP, GPS, FRM, DET)", kind)};
     }

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/position_fix.hpp"
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/expected.hpp"
 #include "limpet/core/geodesy.hpp"
@@ -56,11 +57,6 @@ struct DvlRow {
 struct DepthRow {
   double t = 0.0, depth = 0.0;
 };
-struct GpsRow {
-  double t = 0.0;
-  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();
-  double sd = 0.0;
-};
 struct FrameRow {
   double arrival = 0.0;
   Detections frame;
@@ -76,7 +72,7 @@ struct SourceRow {
 };
 /// Attitudes, or what a filter makes them of: inertial samples, and a fibre-optic gyro's rates.
 using StreamRow =
-    std::variant<AttitudeEstimate, DvlRow, DepthRow, GpsRow, FrameRow, InertialInput, FogRow>;
+    std::variant<AttitudeEstimate, DvlRow, DepthRow, PositionFix, FrameRow, InertialInput, FogRow>;
 
 struct SensorStream {
   StreamMeta meta;

@@ -16,6 +16,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include "estimation/mapping/map_export.hpp"
+#include "estimation/mapping/status_label.hpp"
 
 namespace limpet {
 namespace {
@@ -32,24 +33,6 @@ Eigen::Vector3d Up(const Eigen::Vector3d& p_W) { return {p_W.y(), p_W.x(), -p_W.
 TColor ColorOfLabel(VoxelLabel label, std::uint8_t opacity = 255) {
   const VoxelColor color = ColorOf({.label = label});
   return {color.red, color.green, color.blue, opacity};
-}
-
-VoxelLabel LabelOf(Status status) {
-  switch (status) {
-    case Status::kConfirmed:
-      return VoxelLabel::kConfirmed;
-    case Status::kRemoved:
-      return VoxelLabel::kRemoved;
-    case Status::kNew:
-      return VoxelLabel::kNew;
-    case Status::kMoved:
-      return VoxelLabel::kMoved;
-    case Status::kUncertain:
-    case Status::kNotInspected:
-    case Status::kNothing:
-      break;
-  }
-  return VoxelLabel::kUncertain;
 }
 
 mrpt::opengl::CRenderizable::Ptr Seabed(const SemanticOctree& octree) {

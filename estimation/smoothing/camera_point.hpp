@@ -8,6 +8,9 @@
 
 namespace limpet {
 
+/// Residual of what a camera cannot show from an estimate that is lost [px].
+inline constexpr double kLost_px = 1000.0;
+
 /// A landmark in the camera frame, with its derivatives by the body's pose and by the landmark.
 struct CameraPoint {
   Eigen::Vector3d p_C;

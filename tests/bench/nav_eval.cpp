@@ -67,8 +67,8 @@ Evaluation Evaluate(const std::string& folder, const SensorStream& stream,
   e.online = ErrorOf(e.result.online, truth);
   e.reckoned = ErrorOf(e.result.reckoned, truth);
   e.objects = ErrorsOf(e.result.landmarks, e.smoothed.alignment, truth);
-  e.boxes_used = static_cast<int>(
-      std::ranges::count_if(e.result.associations, [](const auto& a) { return a.landmark >= 0; }));
+  e.boxes_used = static_cast<int>(std::ranges::count_if(
+      e.result.associations, [](const auto& a) { return a.landmark.has_value(); }));
   return e;
 }
 
@@ -127,8 +127,8 @@ void PrintMissed(const Evaluation& e, const std::filesystem::path& folder) {
   }
   for (const ReplayAssociation& a : e.result.associations) {
     const int id = shown[{a.frame, a.detection}];
-    if (id >= 0 && a.landmark < 0) fmt::print("    frame {}: object {} not used\n", a.frame, id);
-    if (id < 0 && a.landmark >= 0) fmt::print("    frame {}: false box used\n", a.frame);
+    if (id >= 0 && !a.landmark) fmt::print("    frame {}: object {} not used\n", a.frame, id);
+    if (id < 0 && a.landmark) fmt::print("    frame {}: false box used\n", a.frame);
   }
 }
 

@@ -58,7 +58,7 @@ struct Associations {
 };
 Associations AssociationsOf(const ReplayResult& result, const SimulatedStream& session) {
   // A landmark is the object that most of its boxes show.
-  std::map<int, std::map<int, int>> votes;
+  std::map<std::optional<int>, std::map<int, int>> votes;
   const auto shown_by = [&](const ReplayAssociation& a) {
     const auto shown = session.shown.find({a.frame, a.detection});
     return shown == session.shown.end() ? -1 : shown->second;
@@ -68,7 +68,7 @@ Associations AssociationsOf(const ReplayResult& result, const SimulatedStream& s
   Associations out;
   for (const ReplayAssociation& a : result.associations) {
     const int shown = shown_by(a);
-    if (a.landmark < 0) {
+    if (!a.landmark) {
       out.missed += shown >= 0 ? 1 : 0;
       continue;
     }
@@ -113,7 +113,7 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
     if (dvl->t - last > 10.0) fmt::print("  dropout {:.0f} .. {:.0f} s\n", last, dvl->t);
     last = dvl->t;
   }
-  std::map<int, std::map<int, std::vector<double>>> looks;
+  std::map<std::optional<int>, std::map<int, std::vector<double>>> looks;
   for (const ReplayAssociation& a : result.associations) {
     const auto shown = session.shown.find({a.frame, a.detection});
     looks[a.landmark][shown == session.shown.end() ? -1 : shown->second].push_back(0.25 * a.frame);
@@ -129,7 +129,7 @@ void PrintDetails(const SimulatedStream& session, const ReplayResult& result,
     }
     fmt::print("\n");
   }
-  for (const auto& [id, times] : looks[-1])
+  for (const auto& [id, times] : looks[std::nullopt])
     if (id >= 0) fmt::print("  no landmark's: object {}:{}\n", id, SightingsOf(times));
 }
 

@@ -157,7 +157,7 @@ class Recorder {
     const double stamp = gps_stamp_.StampOf(Seconds(t)).value();
     const Eigen::Vector2d p = vehicle.pose().p_WB.head<2>() + slow + white;
     rows_.push_back(
-        {std::max(t, stamp) + 3e-4, GpsRow{stamp, p + multipath_.At(Seconds(t)), 0.58}});
+        {std::max(t, stamp) + 3e-4, PositionFix{stamp, p + multipath_.At(Seconds(t)), 0.58}});
   }
 
   void TakeFrame(double t, const SimulatedVehicle& vehicle) {

@@ -28,7 +28,7 @@ std::string LineOf(const DepthRow& row) {
   return fmt::format("DEP,{},{},0.02\n", row.t, row.depth);
 }
 
-std::string LineOf(const GpsRow& row) {
+std::string LineOf(const PositionFix& row) {
   return fmt::format("GPS,{},{},{},{}\n", row.t, row.p_W.x(), row.p_W.y(), row.sd);
 }
 

@@ -49,18 +49,17 @@ void DrawSensor(ImageParams::Sensor& sensor, Random& random) {
 }
 
 PictureSettings DrawSettings(std::uint64_t seed, double depth, Random& random) {
-  PictureSettings settings{.camera = {}, .seabed_depth = {}, .image = {}};
+  PictureSettings settings{.scene = {.camera = {}, .seabed_depth = {}}, .image = {}};
   const double wave = random.Uniform(0.0, 0.15);
-  settings.seabed_depth = [depth, wave](double north, double east) {
+  settings.scene.seabed_depth = [depth, wave](double north, double east) {
     return depth + wave * std::sin(1.3 * north) * std::cos(0.8 * east);
   };
-  settings.visibility_m = LogUniform(2.5, 20.0, random);
-  settings.seabed_seed = seed;
-  settings.noise_seed = seed + 1;
+  settings.scene.visibility_m = LogUniform(2.5, 20.0, random);
+  settings.scene.seabed_seed = seed;
+  settings.scene.noise_seed = seed + 1;
   ImageParams& image = settings.image;
   image.look = "real";
-  constexpr std::array kSeabeds{"sand", "gravel", "rock", "seagrass", "mixed"};
-  image.seabed = {.kind = kSeabeds.at(random.Index(kSeabeds.size())),
+  image.seabed = {.kind = kSeabedKinds.at(random.Index(kSeabedKinds.size())),
                   .shading = random.Uniform(0.5, 2.0)};
   image.water = {.dissolved = LogUniform(0.03, 2.5, random),
                  .backscatter = random.Uniform(0.3, 2.5),

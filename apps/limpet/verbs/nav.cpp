@@ -26,6 +26,7 @@
 #include "limpet/core/harmless_text.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
+#include "limpet/safety/safety_rule.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
@@ -86,7 +87,8 @@ Command NavForm() {
       .most_words = 1};
 }
 
-constexpr double kHighSigma = 5.0;  // [m], as of the safety rule sigma_high
+/// From where on the safety rules call the place in doubt, 1-sigma of an axis [m].
+double HighSigma() { return SafetyRuleOf(SafetyRuleId::kSigmaHigh).limit.value; }
 
 /// When the place was in doubt while the session ran, beside what the start is.
 struct PlaceDoubt {
@@ -99,11 +101,12 @@ std::optional<PlaceDoubt> WorstDoubt(const ReplayResult& result) {
   // A start that nothing places is in doubt for good, and said otherwise.
   const double start = result.has_fix ? 0.0 : result.online_covariance_W.front()(0, 0);
   PlaceDoubt doubt;
+  const double high = HighSigma();
   bool was_known = !result.has_fix;  // before the first fix no place is
   for (std::size_t i = 1; i < result.online.size(); ++i) {
     const double variance = result.online_covariance_W[i].diagonal().head<2>().maxCoeff() - start;
-    was_known = was_known || variance <= kHighSigma * kHighSigma;
-    if (!was_known || variance <= kHighSigma * kHighSigma) continue;
+    was_known = was_known || variance <= high * high;
+    if (!was_known || variance <= high * high) continue;
     doubt.seconds += result.online[i].t - result.online[i - 1].t;
     if (std::sqrt(variance) > doubt.sigma)
       doubt = {.seconds = doubt.seconds, .sigma = std::sqrt(variance), .t = result.online[i].t};
@@ -258,7 +261,7 @@ std::string DoubtSummary(const ReplayResult& result) {
     text += fmt::format(
         "the place was known to no better than {} m (1-sigma) for {:.0f} s, at worst to {:.0f} m "
         "at {:.0f} s\n",
-        kHighSigma, doubt->seconds, doubt->sigma, doubt->t);
+        HighSigma(), doubt->seconds, doubt->sigma, doubt->t);
   }
   return text;
 }

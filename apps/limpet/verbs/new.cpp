@@ -17,6 +17,7 @@
 #include "limpet/console/command_output.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/folders_above.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/mission/process_name.hpp"
 #include "limpet/mission/source_text.hpp"
@@ -99,15 +100,10 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-std::string Upper(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
-
 /// The template's names replaced by the user's, in a path or in a text.
 std::string Renamed(const std::string& text, const Kind& kind, const std::string& name) {
-  return Replaced(Replaced(text, kind.template_name, name), Upper(kind.template_name), Upper(name));
+  return Replaced(Replaced(text, kind.template_name, name), UpperCase(kind.template_name),
+                  UpperCase(name));
 }
 
 struct NewFile {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/tune_live.hpp"
 
-#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -14,6 +13,8 @@
 #include "limpet/console/community.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/console/tool_frame.hpp"
+#include "limpet/core/host_name.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/preflight/mission_reading.hpp"
 #include "limpet/preflight/preflight.hpp"
@@ -43,12 +44,6 @@ Wish WishIn(const std::string& word) {
   }
   return {.name = std::string(Trim(word.substr(0, equals))),
           .value = std::string(Trim(word.substr(equals + 1)))};
-}
-
-std::string UpperCase(std::string text) {
-  for (char& c : text)
-    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
 }
 
 /// A behavior's parameter that can be changed while it runs.
@@ -231,7 +226,7 @@ int Set(const Arguments& given, const fs::path& file, const std::string& word) {
   }
   return Apply(community, place,
                {.user = UserName(),
-                .host = HostName(),
+                .host = HostName().value_or("unknown"),
                 .change = {.behavior = place.owner,
                            .key = place.key,
                            .old_value = old_value,
@@ -254,7 +249,7 @@ int Undo(const Arguments& given, const fs::path& file) {
   community.Watch({place.updates});
   return Apply(community, place,
                {.user = UserName(),
-                .host = HostName(),
+                .host = HostName().value_or("unknown"),
                 .is_undo = true,
                 .change = {.behavior = done.behavior,
                            .key = done.key,

@@ -13,16 +13,12 @@
 #include "limpet/console/community.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/log_tools/log_input.hpp"
+#include "limpet/logbook/log_name.hpp"
 
 namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool IsLog(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".alog") || name.ends_with(".alog.gz");
-}
 
 /// The session of a log in a run folder: the first folder on the way.
 std::string SessionOf(const fs::path& log, const fs::path& run) {
@@ -46,7 +42,7 @@ RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
   std::vector<RunLog> logs;
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(run)) {
-    if (entry.is_regular_file() && IsLog(entry.path())) {
+    if (entry.is_regular_file() && IsAlogName(entry.path())) {
       names.push_back(SessionOf(entry.path(), run));
       if (!session || names.back() == *session) {
         logs.push_back({.file = entry.path(), .session = names.back()});

@@ -56,7 +56,7 @@ class EdgeFactor {
     const double distance = std::hypot(along, depth);
     J_C.setZero();
     J_size.setZero();
-    Residual r(kLost / edge_.sigma_px);
+    Residual r(kLost_px / edge_.sigma_px);
     const double half = std::asin(std::min(radius / std::max(distance, 1e-6), 1.0));
     const double angle = std::atan2(along, depth) + edge_.side * half;
     if (distance > 1.02 * radius && std::abs(angle) < kWidest) {
@@ -73,8 +73,7 @@ class EdgeFactor {
   }
 
  private:
-  static constexpr double kLost = 1000.0;  ///< [px]
-  static constexpr double kWidest = 1.4;   ///< [rad]
+  static constexpr double kWidest = 1.4;  ///< [rad]
   const CameraModel* camera_;
   double radius_;
   Edge edge_;

@@ -42,18 +42,18 @@ class RangeFactor {
     return r;
   }
   /// Of a point in the camera's frame, with the derivative by it.
-  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, BorderJacobian& J_C) const {
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     Residual J_size;
-    return InCamera(p, 0.0, J_C, J_size);
+    return InCamera(p_C, 0.0, J_C, J_size);
   }
   /// For a sphere exp(log_size) times as large, also with the derivative by that.
-  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, double log_size, BorderJacobian& J_C,
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, double log_size, BorderJacobian& J_C,
                                   Residual& J_size) const {
-    const double xz = std::max(std::hypot(p.x(), p.z()), 1e-6);
-    const double yz = std::max(std::hypot(p.y(), p.z()), 1e-6);
+    const double xz = std::max(std::hypot(p_C.x(), p_C.z()), 1e-6);
+    const double yz = std::max(std::hypot(p_C.y(), p_C.z()), 1e-6);
     const double scale = inv_sigma_ * std::exp(-log_size);
     const double by_xz = scale * planes_.x() / xz, by_yz = scale * planes_.y() / yz;
-    J_C = Eigen::RowVector3d(by_xz * p.x(), by_yz * p.y(), (by_xz + by_yz) * p.z());
+    J_C = Eigen::RowVector3d(by_xz * p_C.x(), by_yz * p_C.y(), (by_xz + by_yz) * p_C.z());
     const double range = planes_.dot(Eigen::Vector2d(xz, yz));
     J_size = Residual(-scale * range);
     return Residual(scale * range - measured_ * inv_sigma_);

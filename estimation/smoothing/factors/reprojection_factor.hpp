@@ -32,15 +32,16 @@ class ReprojectionFactor {
     return r;
   }
   /// Of a point in the camera's frame, with the derivative by it.
-  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p, BorderJacobian& J_C) const {
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     J_C.setZero();
-    Residual r = Residual::Constant(kLost).cwiseProduct(inv_sigma_);
-    if (p.z() > kNearest) {
-      const double k = 1.0 / p.z();
-      r = Residual(camera_->cx + camera_->fx * p.x() * k, camera_->cy + camera_->fy * p.y() * k);
+    Residual r = Residual::Constant(kLost_px).cwiseProduct(inv_sigma_);
+    if (p_C.z() > kNearest) {
+      const double k = 1.0 / p_C.z();
+      r = Residual(camera_->cx + camera_->fx * p_C.x() * k,
+                   camera_->cy + camera_->fy * p_C.y() * k);
       r = (r - measured_).cwiseProduct(inv_sigma_);
-      J_C << camera_->fx * k, 0.0, -camera_->fx * p.x() * k * k,  //
-          0.0, camera_->fy * k, -camera_->fy * p.y() * k * k;
+      J_C << camera_->fx * k, 0.0, -camera_->fx * p_C.x() * k * k,  //
+          0.0, camera_->fy * k, -camera_->fy * p_C.y() * k * k;
       J_C = (inv_sigma_.asDiagonal() * J_C).eval();
     }
     return r;
@@ -48,7 +49,6 @@ class ReprojectionFactor {
 
  private:
   static constexpr double kNearest = 0.2;  ///< [m]
-  static constexpr double kLost = 1000.0;  ///< [px]
   const CameraModel* camera_;
   Eigen::Vector2d measured_, inv_sigma_;
 };

@@ -7,8 +7,8 @@
 
 namespace limpet {
 
-/// Two landmarks are one:  r = (a - b) / sigma. Small `sigma`, not none, so that it can be taken
-/// back, and what the places say without it be told from what they say with it.
+/// Two landmarks are one:  r = (a_W - b_W) / sigma. Small `sigma`, not none, so that it can be
+/// taken back, and what the places say without it be told from what they say with it.
 class SamePlaceFactor {
  public:
   static constexpr int kDim = 3;
@@ -17,12 +17,12 @@ class SamePlaceFactor {
 
   explicit SamePlaceFactor(Meters sigma) : inv_sigma_(1.0 / sigma.value()) {}
 
-  [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+  [[nodiscard]] Residual Evaluate(const Eigen::Vector3d& a_W, const Eigen::Vector3d& b_W,
                                   BorderJacobian* J_a = nullptr,
                                   BorderJacobian* J_b = nullptr) const {
     if (J_a != nullptr) *J_a = inv_sigma_ * BorderJacobian::Identity();
     if (J_b != nullptr) *J_b = -inv_sigma_ * BorderJacobian::Identity();
-    return inv_sigma_ * (a - b);
+    return inv_sigma_ * (a_W - b_W);
   }
 
  private:

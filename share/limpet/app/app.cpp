@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/config_entries.hpp"
 #include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 
 std::string AppContext::Global(std::string_view key) const {
-  const auto found = std::ranges::find_if(
-      globals, [key](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, key); });
-  return found == globals.end() ? "" : found->value;
+  const ConfigEntry* global = FindEntry(globals, key);
+  return global == nullptr ? "" : global->value;
 }
 
 App::App(const AppContext& context)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/app/app_status.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <set>
 
@@ -11,6 +9,7 @@
 #include <unistd.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/core/letter_case.hpp"
 
 namespace limpet {
 namespace {
@@ -25,13 +24,6 @@ std::string Listed(const std::set<std::string>& names) {
   for (const std::string& name : names) {
     text += name + ",";
   }
-  return text;
-}
-
-std::string Upper(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  });
   return text;
 }
 
@@ -54,7 +46,7 @@ ProcessUse UseOfThisProcess() {
 
 AppStatus::AppStatus(const std::string& name, Seconds started)
     : name_(name),
-      variable_(Upper(name) + "_STATUS"),
+      variable_(UpperCase(name) + "_STATUS"),
       started_(started),
       last_cpu_(UseOfThisProcess().cpu),
       last_time_(SteadyTime()) {}

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/app/heard_before.hpp"
 
+#include "limpet/wire/message_id.hpp"
+
 namespace limpet {
 
 bool HeardBefore::IsNews(const Message& message) {
-  constexpr std::int32_t kLatestId = -1;  ///< of a value sent because somebody registered
   const auto [position, is_first] = last_.try_emplace(message.name);
   Last& last = position->second;
-  if (!is_first && message.id == kLatestId && last.connection != connection_ &&
+  if (!is_first && message.id == message_id::kLatest && last.connection != connection_ &&
       last.source == message.source && message.time <= last.time) {
     return false;
   }

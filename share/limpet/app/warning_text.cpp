@@ -2,9 +2,10 @@
 #include "limpet/app/warning_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
+
+#include "limpet/core/letter_case.hpp"
 
 namespace limpet {
 namespace {
@@ -31,14 +32,7 @@ Severity TakeSeverity(std::string_view& id) {
 
 }  // namespace
 
-std::string WarningsVariable(std::string_view app) {
-  std::string variable(app);
-  variable += kSuffix;
-  std::ranges::transform(variable, variable.begin(), [](char c) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  });
-  return variable;
-}
+std::string WarningsVariable(std::string_view app) { return UpperCase(app) + std::string(kSuffix); }
 
 bool CarriesWarnings(std::string_view variable) { return variable.ends_with(kSuffix); }
 

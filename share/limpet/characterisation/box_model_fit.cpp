@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "limpet/core/logistic.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -18,8 +19,6 @@ Looks Where(const Looks& looks, const Keep& keep) {
   std::ranges::copy_if(looks, std::back_inserter(kept), keep);
   return kept;
 }
-
-double Logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 
 double ShareFound(const Looks& looks) {
   const auto found =

@@ -19,18 +19,17 @@ namespace {
 constexpr double kDepth = 8.0;
 
 PictureSettings DrawWorld(const TrialPlan& plan, Random& random) {
-  PictureSettings settings{.camera = {}, .seabed_depth = {}, .image = {}};
+  PictureSettings settings{.scene = {.camera = {}, .seabed_depth = {}}, .image = {}};
   const double wave = random.Uniform(0.0, 0.1);
-  settings.seabed_depth = [wave](double north, double east) {
+  settings.scene.seabed_depth = [wave](double north, double east) {
     return kDepth + wave * std::sin(1.3 * north) * std::cos(0.8 * east);
   };
-  settings.visibility_m = random.Uniform(plan.least_visibility_m, plan.most_visibility_m);
-  settings.seabed_seed = random.Bits();
-  settings.noise_seed = random.Bits();
+  settings.scene.visibility_m = random.Uniform(plan.least_visibility_m, plan.most_visibility_m);
+  settings.scene.seabed_seed = random.Bits();
+  settings.scene.noise_seed = random.Bits();
   ImageParams& image = settings.image;
   image.look = "real";
-  constexpr std::array kSeabeds{"sand", "gravel", "rock", "seagrass", "mixed"};
-  image.seabed.kind = kSeabeds.at(random.Index(kSeabeds.size()));
+  image.seabed.kind = kSeabedKinds.at(random.Index(kSeabedKinds.size()));
   image.water.dissolved = random.Uniform(0.1, 1.2);
   image.water.backscatter = random.Uniform(0.5, 1.5);
   // From a bare bottom to one where every square metre has its stone.
@@ -133,7 +132,8 @@ void MakeTrialPictures(const TrialPlan& plan, const std::function<void(const Tri
           .image = renderer.Render(pose, solids, static_cast<std::uint32_t>(i), Seconds(0.3 * i)),
           .looks = {}};
       for (const SolidLabel& label : renderer.labels())
-        picture.looks.push_back(LookAt(pose, settings.visibility_m, solids[label.solid], label));
+        picture.looks.push_back(
+            LookAt(pose, settings.scene.visibility_m, solids[label.solid], label));
       take(picture);
     }
     if (progress) progress(world + 1);

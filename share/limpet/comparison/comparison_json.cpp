@@ -4,15 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/units.hpp"
+#include "limpet/topics/place_json.hpp"
 
 namespace limpet {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-
-OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& p_W) {
-  return p_W ? OrderedJson{p_W->x(), p_W->y(), p_W->z()} : OrderedJson(nullptr);
-}
 
 OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& comparison) {
   return {{"decided", NameOf(object.decided)},
@@ -21,7 +18,7 @@ OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& compari
           {"moved_from_ned_m", PlaceJson(comparison.MovedFrom_W(object))},
           {"moved_probability", object.moved_probability ? OrderedJson(*object.moved_probability)
                                                          : OrderedJson(nullptr)},
-          {"id_a", object.prior_id ? OrderedJson(*object.prior_id) : OrderedJson(nullptr)},
+          {"id_a", object.former_id ? OrderedJson(*object.former_id) : OrderedJson(nullptr)},
           {"landmark_b", object.landmark ? OrderedJson(*object.landmark) : OrderedJson(nullptr)},
           {"posterior", JsonOf(object.posterior)},
           {"looks_b", object.looks},

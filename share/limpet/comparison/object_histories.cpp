@@ -84,7 +84,7 @@ class HistoryKeeper {
     }
     for (const OpiBelief& object : Between(now - 1, now).objects) {
       const bool is_known = std::ranges::find(taken, object.landmark) != taken.end();
-      if (object.prior_id || !IsThere(object) || is_known) continue;
+      if (object.former_id || !IsThere(object) || is_known) continue;
       series_.objects.push_back({.color = object.object.color,
                                  .p_W = object.object.p_W,
                                  .placed_in = now,
@@ -102,7 +102,7 @@ class HistoryKeeper {
     for (std::size_t former = now - 1; IsOpen(*best) && former-- > 0;) {
       const std::vector<OpiBelief>& said = Between(former, now).objects;
       const auto found = std::ranges::find(said, object.landmark, &OpiBelief::landmark);
-      if (found == said.end() || found->prior_id) continue;
+      if (found == said.end() || found->former_id) continue;
       if (!IsOpen(*found) || Surest(*found) > Surest(*best)) best = &*found, by = former;
     }
     return EntryOf(*best, by, now);
@@ -122,7 +122,7 @@ class HistoryKeeper {
     const std::vector<OpiBelief>& said = Between(object.placed_in, now).objects;
     const std::optional<int> id = object.entries[object.placed_in - object.since].id;
     const auto found = std::ranges::find_if(said, [&](const OpiBelief& one) {
-      return one.prior_id == id && std::ranges::find(taken, one.landmark) == taken.end();
+      return one.former_id == id && std::ranges::find(taken, one.landmark) == taken.end();
     });
     if (found == said.end()) {
       // It was hardly one when it was last seen, or what stands there is another object's.

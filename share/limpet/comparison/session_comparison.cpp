@@ -53,46 +53,46 @@ ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
   const ConfigBlock block_a = MapBlockFor(a, mission);
   static_cast<void>(MapParamsOf(block_a));
   const MapParams params = MapParamsOf(MapBlockFor(b, mission));
-  ObjectStatuses book(params.status, params.camera.geometry());
+  ObjectStatuses statuses(params.status, params.camera.geometry());
   const SessionPrior prior = PriorFrom(a, block_a);
-  book.SetFormerViews(FormerViewsOf(prior, params));
-  book.SetFormer(prior.opis);
-  book.SetObstacles(b.memory.obstacles.obstacles);
+  statuses.SetFormerViews(FormerViewsOf(prior, params));
+  statuses.SetFormer(prior.opis);
+  statuses.SetObstacles(b.memory.obstacles.obstacles);
   FrameGate gate(params.frame_gate());
   const std::vector<std::string> phase_of = PhaseOfFrames(b.memory);
   for (std::size_t i = 0; i < phase_of.size(); ++i) {
     const ObservedFrame& frame = b.memory.frames[i];
     if (!gate.Judge(frame.exposure, frame.altitude, phase_of[i]).drop) {
-      book.AddFrame(frame);
+      statuses.AddFrame(frame);
     }
   }
   if (b.memory.water) {
-    book.contrasts().Set(b.memory.water->contrasts);
+    statuses.contrasts().Set(b.memory.water->contrasts);
   }
-  book.SetLandmarks(MatchedLandmarks(a, b, prior));
-  book.Rejudge();
-  return book;
+  statuses.SetLandmarks(MatchedLandmarks(a, b, prior));
+  statuses.Rejudge();
+  return statuses;
 }
 
 /// True for a place that is only worth a look: nothing was judged there.
-bool IsTentative(const OpiBelief& object) { return !object.landmark && !object.prior_id; }
+bool IsTentative(const OpiBelief& object) { return !object.landmark && !object.former_id; }
 
 }  // namespace
 
 std::optional<Eigen::Vector3d> SessionComparison::MovedFrom_W(const OpiBelief& object) const {
-  if (object.decided != Status::kMoved || !object.prior_id) return std::nullopt;
-  const auto former = former_W.find(*object.prior_id);
+  if (object.decided != Status::kMoved || !object.former_id) return std::nullopt;
+  const auto former = former_W.find(*object.former_id);
   return former != former_W.end() ? std::optional(former->second) : std::nullopt;
 }
 
 SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
                                   const std::optional<std::string>& mission) {
-  ObjectStatuses book = Compare(a, b, mission);
+  ObjectStatuses statuses = Compare(a, b, mission);
   SessionComparison comparison{.a = a.facts, .b = b.facts, .offset = {}, .objects = {}};
-  for (const OpiBelief& object : book.Assess()) {
+  for (const OpiBelief& object : statuses.Assess()) {
     if (!IsTentative(object)) comparison.objects.push_back(object);
   }
-  comparison.offset = book.offset();
+  comparison.offset = statuses.offset();
   for (const FormerObject& former : PriorOf(a.facts, a.memory).opis)
     comparison.former_W[former.id] = comparison.offset.Apply(former.object.p_W);
   return comparison;

@@ -10,6 +10,7 @@
 #include "estimation/matching/own_covariance.hpp"
 #include "estimation/navigation/former_session.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/session/landmark_rows.hpp"
 
 namespace limpet {
 namespace {
@@ -20,7 +21,7 @@ std::vector<Landmark> LandmarksOf(const OpiBeliefs& objects) {
   for (const OpiBelief& opi : objects.opis) {
     if (!opi.landmark) continue;
     landmarks.push_back(
-        {.id = *opi.landmark, .object = opi.object, .looks = opi.looks, .is_confirmed = true});
+        {.id = *opi.landmark, .object = opi.object, .detections = opi.looks, .is_confirmed = true});
   }
   return landmarks;
 }
@@ -39,22 +40,6 @@ MatchingParams ParamsOf(const SavedSession& session) {
   const std::vector<ConfigProblem> problems = ApplyBlock(*block, specs);
   if (!problems.empty()) throw ConfigError(problems);
   return params;
-}
-
-/// Three rows per landmark; as from the single covariances if the session did not keep those of
-/// all.
-Eigen::MatrixXd JointOf(const std::vector<Landmark>& landmarks, const LandmarkJoint& joint) {
-  std::vector<Eigen::Index> rows;
-  std::vector<ObjectEstimate> objects;
-  for (const Landmark& landmark : landmarks) {
-    objects.push_back(landmark.object);
-    const auto found = std::ranges::find(joint.ids, landmark.id);
-    if (found == joint.ids.end()) continue;
-    const Eigen::Index first = 3 * (found - joint.ids.begin());
-    rows.insert(rows.end(), {first, first + 1, first + 2});
-  }
-  return rows.size() == 3 * landmarks.size() ? Eigen::MatrixXd(joint.cov_W(rows, rows))
-                                             : JointOfSingles(objects);
 }
 
 }  // namespace
@@ -86,7 +71,9 @@ std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession
     present.slots.push_back(landmark.id);
     present.objects.push_back(landmark.object);
   }
-  present.covariance = JointOf(landmarks, b.memory.landmarks);
+  // A session that did not keep the covariance of all together has those of each.
+  const std::optional<Eigen::MatrixXd> kept = CovarianceOf(present.slots, b.memory.landmarks);
+  present.covariance = kept ? *kept : JointOfSingles(present.objects);
   FormerSessionTie tie(ParamsOf(b));
   tie.SetFormer(std::move(former));
   const bool is_matched = tie.Match(present, std::nullopt);

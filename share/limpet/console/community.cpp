@@ -11,6 +11,7 @@
 #include "limpet/app/run_app.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/wire/message_conversion.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
 namespace {
@@ -18,7 +19,6 @@ namespace {
 constexpr Seconds kMailSlice(0.05);  ///< how soon a signal or a change of state is noticed
 constexpr std::size_t kMostMail = 200'000;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
-constexpr std::int32_t kAnswerId = -2;
 
 std::size_t SizeOf(const WireMessage& message) {
   return message.text.size() + message.key.size() + message.source.size() + 128;
@@ -102,7 +102,7 @@ std::optional<std::vector<Mail>> Community::Settle() {
   while (SteadyTime() < deadline && !EndIsRequested()) {
     std::vector<Mail> mail = TakeMail(kMailSlice);
     const bool is_answered = std::ranges::any_of(mail, [](const Mail& piece) {
-      return piece.message.id == kAnswerId && piece.message.name == "VAR_SUMMARY";
+      return piece.message.id == message_id::kAnswer && piece.message.name == "VAR_SUMMARY";
     });
     std::ranges::move(mail, std::back_inserter(heard));
     if (is_answered) {

@@ -2,25 +2,18 @@
 #include "limpet/console/community_status.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr const char* kLauncher = "pLaunch";
-
-std::string UpperCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  });
-  return text;
-}
 
 std::size_t CountNames(std::string_view list) {
   const std::vector<std::string> names = Split(list, ',');

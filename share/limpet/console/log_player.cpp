@@ -5,18 +5,9 @@
 #include <functional>
 
 #include "limpet/core/require.hpp"
-#include "limpet/pubsub/wildcard.hpp"
+#include "limpet/pubsub/wildcard_list.hpp"
 
 namespace limpet {
-namespace {
-
-bool MatchesAny(const std::vector<std::string>& patterns, std::string_view name) {
-  return std::ranges::any_of(
-      patterns, [name](const std::string& pattern) { return MatchesWildcard(pattern, name); });
-}
-
-}  // namespace
-
 bool PlayChoice::AcceptsName(std::string_view name) const {
   const bool is_chosen = only.empty() ? !name.starts_with("DB_") : MatchesAny(only, name);
   return is_chosen && !MatchesAny(skip, name);

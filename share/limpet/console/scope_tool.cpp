@@ -15,6 +15,7 @@
 #include "limpet/console/tools.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/number_text.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
 namespace {
@@ -111,7 +112,7 @@ class ScopeFeed {
   template <class Show>
   void Hear(const std::vector<Mail>& mail, Show show) {
     for (const auto& [message, heard] : mail) {
-      if (message.id == -2) {
+      if (message.id == message_id::kAnswer) {
         continue;  // an answer, no variable
       }
       table_.Hear(message, heard);

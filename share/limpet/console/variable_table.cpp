@@ -2,27 +2,15 @@
 #include "limpet/console/variable_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 
+#include "limpet/core/letter_case.hpp"
 #include "limpet/pubsub/wildcard.hpp"
+#include "limpet/pubsub/wildcard_list.hpp"
 
 namespace limpet {
 namespace {
-
-bool MatchesAny(const std::vector<std::string>& patterns, const std::string& text) {
-  return patterns.empty() || std::ranges::any_of(patterns, [&text](const std::string& pattern) {
-           return MatchesWildcard(pattern, text);
-         });
-}
-
-std::string UpperCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  });
-  return text;
-}
 
 bool MatchesTyped(const std::string& typed, const std::string& name) {
   std::istringstream words(UpperCase(typed));
@@ -113,7 +101,7 @@ const char* NameOf(ScopeSort sort) {
 }
 
 bool ScopeFilter::Accepts(const VariableRow& row) const {
-  return MatchesAny(names, row.name) && MatchesAny(sources, row.source) &&
+  return IsChosen(names, row.name) && IsChosen(sources, row.source) &&
          MatchesTyped(typed, row.name) && (!changed_only || row.changes > 0);
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/config_entries.hpp"
 #include "limpet/core/harmless_text.hpp"
 #include "limpet/core/word_distance.hpp"
 
@@ -27,11 +28,13 @@ std::string Join(const std::vector<ConfigProblem>& problems) {
 
 }  // namespace
 
-const ConfigEntry* ConfigBlock::Find(std::string_view key) const {
+const ConfigEntry* FindEntry(const std::vector<ConfigEntry>& entries, std::string_view key) {
   const auto found = std::ranges::find_if(
       entries, [key](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, key); });
   return found == entries.end() ? nullptr : &*found;
 }
+
+const ConfigEntry* ConfigBlock::Find(std::string_view key) const { return FindEntry(entries, key); }
 
 std::string ConfigProblem::Format() const {
   std::string place = where.file;

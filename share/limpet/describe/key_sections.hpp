@@ -5,14 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "limpet/core/params.hpp"
+#include "limpet/core/key_section.hpp"
 
 namespace limpet {
-
-struct KeySection {
-  std::string name;
-  std::vector<ParamSpec> keys;
-};
 
 [[nodiscard]] std::string KeysText(const std::vector<KeySection>& sections);
 [[nodiscard]] std::string KeysJson(const std::vector<KeySection>& sections);

@@ -65,20 +65,12 @@ std::string FaultsMarkdown() {
   return page;
 }
 
-std::vector<KeySection> ScenarioSections() {
-  std::vector<KeySection> sections;
-  for (ScenarioSection& section : DeclaredScenarioSections()) {
-    sections.push_back({section.name, std::move(section.keys)});
-  }
-  return sections;
-}
-
 }  // namespace
 
-std::string ScenarioKeysText() { return KeysText(ScenarioSections()); }
-std::string ScenarioKeysJson() { return KeysJson(ScenarioSections()); }
+std::string ScenarioKeysText() { return KeysText(DeclaredScenarioSections()); }
+std::string ScenarioKeysJson() { return KeysJson(DeclaredScenarioSections()); }
 std::string ScenarioKeysMarkdown() {
-  return kScenarioPageHead + KeysMarkdown(ScenarioSections()) + FaultsMarkdown();
+  return kScenarioPageHead + KeysMarkdown(DeclaredScenarioSections()) + FaultsMarkdown();
 }
 
 std::string FaultsText() {

@@ -32,11 +32,7 @@ The other keys, from their declarations. The camera's field of view and image ha
 /// Of the file's defaults.
 std::vector<KeySection> Sections() {
   static VehicleFile defaults;
-  std::vector<KeySection> sections;
-  for (VehicleFileSection& section : VehicleFileSections(defaults)) {
-    sections.push_back({section.name, std::move(section.keys)});
-  }
-  return sections;
+  return VehicleFileSections(defaults);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/logistic.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
 
@@ -30,7 +31,7 @@ double ConfidenceOf(const WitnessWeights& weights, const WitnessedProposal& prop
       weights.offset + weights.per_score * features.score + weights.per_color * features.color +
       weights.per_roundness * features.roundness + weights.shape_found * features.shape_found +
       weights.per_shape * features.shape;
-  return 1.0 / (1.0 + std::exp(-logit));
+  return Logistic(logit);
 }
 
 }  // namespace

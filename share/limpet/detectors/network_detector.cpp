@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/logistic.hpp"
 #include "limpet/detectors/image_mat.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
@@ -98,7 +99,7 @@ double NetworkDetector::ConfidenceOf(const NetworkProposal& proposal) const {
                        description_.confidence_per_score * proposal.score_logit +
                        description_.confidence_per_color * proposal.color_logit +
                        description_.confidence_per_roundness * proposal.roundness;
-  return 1.0 / (1.0 + std::exp(-logit));
+  return Logistic(logit);
 }
 
 void NetworkDetector::FollowOutline(const ImageView& image, NetworkProposal& proposal) const {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/figures/chart_layout.hpp"
 #include "limpet/figures/figures.hpp"
 #include "limpet/figures/palette.hpp"
 #include "limpet/figures/plot_axes.hpp"
@@ -16,8 +17,6 @@ using Point = SvgCanvas::Point;
 
 constexpr Paint kEstimate{.stroke = palette::kBlue, .width = 1.8};
 constexpr Paint kDeadReckoning{.stroke = palette::kVermillion, .width = 1.8, .dash = "6 4"};
-constexpr Paint kBounds{.fill = palette::kSky, .opacity = 0.3};
-constexpr double kNavigationLeft = 76.0, kNavigationWidth = 814.0;
 
 double Largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -56,15 +55,15 @@ void DrawAxis(SvgCanvas& canvas, const ErrorPanel& panel, const std::vector<doub
   if (!sorted.empty())
     largest = std::max(largest, std::min(sorted[sorted.size() * 9 / 10], 6.0 * largest));
   largest *= 1.1;
-  PlotAxes axes(canvas, {.corner = {kNavigationLeft, panel.top_px},
-                         .size = {kNavigationWidth, 84.0},
+  PlotAxes axes(canvas, {.corner = {chart::kLeft, panel.top_px},
+                         .size = {chart::kWidth, 84.0},
                          .x = {0.0, minutes_high},
                          .y = {-largest, largest},
                          .x_label = "time since the survey began [min]",
                          .y_label = panel.label,
                          .has_x_labels = panel.is_last,
                          .y_ticks = 4});
-  axes.Band(minutes, low, high, kBounds);
+  axes.Band(minutes, low, high, chart::kBounds);
   axes.Level(0.0, {.stroke = palette::kMuted, .width = 0.8});
   axes.Curve(minutes, error, {.stroke = palette::kBlue, .width = 1.3});
 }
@@ -74,21 +73,21 @@ void DrawAxis(SvgCanvas& canvas, const ErrorPanel& panel, const std::vector<doub
 Figure NavigationFigure(const FigureSource& source) {
   const NavScore& nav = source.score.nav;
   const NavErrorCurve& curve = nav.curve;
-  SvgCanvas canvas(kNavigationLeft + kNavigationWidth + 24.0, 636.0, "Navigation error");
-  canvas.Text({kNavigationLeft, 24.0},
+  SvgCanvas canvas(chart::kLeft + chart::kWidth + 24.0, 636.0, "Navigation error");
+  canvas.Text({chart::kLeft, 24.0},
               fmt::format("Position error {} rms; at the end {}, dead reckoning {}",
                           MetresText(nav.position_rmse_m), MetresText(nav.final_error_m),
                           MetresText(nav.dead_reckoning_final_error_m)),
               {.size = 16.0, .is_bold = true});
   canvas.Text(
-      {kNavigationLeft, 44.0},
+      {chart::kLeft, 44.0},
       fmt::format("{} \u00b7 estimate as known at the time, against the truth", RunName(source)),
       {.size = 12.5, .fill = palette::kMuted});
   const double x_high = std::max(Largest(curve.time_s) / 60.0, 0.1);
   PlotAxes axes(
       canvas,
-      {.corner = {kNavigationLeft, 92.0},
-       .size = {kNavigationWidth, 170.0},
+      {.corner = {chart::kLeft, 92.0},
+       .size = {chart::kWidth, 170.0},
        .x = {0.0, x_high},
        .y = {0.0, 1.08 * std::max({Largest(curve.error_m), Largest(curve.dead_reckoning_m), 0.1})},
        .x_label = "",
@@ -97,11 +96,10 @@ Figure NavigationFigure(const FigureSource& source) {
        .y_ticks = 5});
   axes.Curve(Minutes(curve.dead_reckoning_time_s), curve.dead_reckoning_m, kDeadReckoning);
   axes.Curve(Minutes(curve.time_s), curve.error_m, kEstimate);
-  DrawKey(canvas, {kNavigationLeft, 71.0}, "estimate", kEstimate);
-  DrawKey(canvas, {kNavigationLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
-  canvas.Rect({kNavigationLeft + 280.0, 65.0}, {26.0, 12.0}, kBounds);
-  canvas.Text({kNavigationLeft + 313.0, 75.0},
-              "\u00b13 standard deviations, as the estimator says");
+  DrawKey(canvas, {chart::kLeft, 71.0}, "estimate", kEstimate);
+  DrawKey(canvas, {chart::kLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
+  canvas.Rect({chart::kLeft + 280.0, 65.0}, {26.0, 12.0}, chart::kBounds);
+  canvas.Text({chart::kLeft + 313.0, 75.0}, "\u00b13 standard deviations, as the estimator says");
   const std::vector<double> minutes = Minutes(curve.time_s);
   for (const ErrorPanel& panel :
        {ErrorPanel{284.0, "north [m]", curve.north_m, curve.sd_north_m},

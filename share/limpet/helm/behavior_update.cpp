@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "limpet/core/letter_case.hpp"
 
 namespace limpet {
 
@@ -25,9 +26,7 @@ BehaviorUpdate ParseUpdate(std::string_view text, const std::string& variable) {
 
 bool MayRepeat(std::string_view text) {
   constexpr std::array<std::string_view, 3> kWords{"toggle", "engage", "mod"};
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = LowerCase(text);
   return std::ranges::any_of(
       kWords, [&lower](std::string_view word) { return lower.find(word) != std::string::npos; });
 }

@@ -17,7 +17,7 @@ namespace {
 /// that is left is slivers they do not.
 void LeaveFarTargetsOut(const Ground& ground, std::vector<Target>& targets) {
   constexpr double kFar = 50.0;  // [m]
-  const bool is_done = ground.SeenShare(Footprint::kLayers - 1) >= SurveyBlocks::kDoneShare;
+  const bool is_done = ground.SeenShare(Footprint::kTop) >= SurveyBlocks::kDoneShare;
   if (!ground.is_part() || is_done) return;
   const GridFrame& frame = ground.frame();
   const PlanePoint low(frame.north_min, frame.east_min);

@@ -86,7 +86,7 @@ void SurveyMirror::UpdateGround(double travelled) {
   while (blocks_->GoOn(*ground_, {place_.north, place_.east}, travelled)) {
     MirrorGround();
   }
-  const Meters sight(ground_->footprint().half_across(Footprint::kLayers - 1));
+  const Meters sight(ground_->footprint().half_across(Footprint::kTop));
   const KeptOff kept_off = fences_->For(place_, place_sigma_, kept_off_, sight);
   if (kept_off != kept_off_) KeepOffFences(kept_off);
 }
@@ -123,12 +123,11 @@ void SurveyMirror::SetLookModel(const MapLook& look) {
 }
 
 bool SurveyMirror::SeesWholeBand() const {
-  constexpr int kTop = Footprint::kLayers - 1;
-  if (!ground_ || !ground_->footprint().is_in_reach(kTop)) {
+  if (!ground_ || !ground_->footprint().is_in_reach(Footprint::kTop)) {
     return true;
   }
-  return ground_->footprint().half_along(kTop) > 0.0 &&
-         ground_->footprint().half_across(kTop) > 0.0;
+  return ground_->footprint().half_along(Footprint::kTop) > 0.0 &&
+         ground_->footprint().half_across(Footprint::kTop) > 0.0;
 }
 
 bool SurveyMirror::SetObjects(const std::vector<OpiBelief>& objects) {

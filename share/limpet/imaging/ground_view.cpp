@@ -8,6 +8,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/imaging/growth_form.hpp"
+#include "limpet/vision/seabed_ray.hpp"
 #include "limpet/vision/sphere_box.hpp"
 
 namespace limpet {
@@ -19,10 +20,6 @@ constexpr double kTileSide = SeabedTile::kSize / SeabedTile::kTexelsPerMeter;
 /// Units of SeabedTile's places per metre.
 constexpr double kUnitsPerMeter = SeabedTile::kUnitsPerTexel * SeabedTile::kTexelsPerMeter;
 
-std::size_t CornersOver(int pixels, int step) {
-  return static_cast<std::size_t>((pixels + step - 1) / step + 1);
-}
-
 }  // namespace
 
 GroundView::GroundView(const CameraModel& camera, SeabedTile tile, std::uint64_t seed)
@@ -32,16 +29,12 @@ GroundView::GroundView(const CameraModel& camera, SeabedTile tile, std::uint64_t
         Random random(seed, "seabed patches");
         return TileNoise(64, 110.0, random);
       }()),
-      columns_(CornersOver(camera.width_px, kBlock)),
-      rows_(CornersOver(camera.height_px, kBlock)),
-      caustic_columns_((columns_ - 1) * (kBlock / kCausticStep) + 1),
-      caustic_rows_((rows_ - 1) * (kBlock / kCausticStep) + 1),
-      nodes_(columns_ * rows_ * kLayers),
-      places_(columns_ * rows_),
+      corners_(camera, kLayers),
+      caustic_columns_((corners_.columns() - 1) * (kBlock / kCausticStep) + 1),
+      caustic_rows_((corners_.rows() - 1) * (kBlock / kCausticStep) + 1),
       caustics_(caustic_columns_ * caustic_rows_),
-      row_values_(columns_ * kLayers),
       row_caustics_(caustic_columns_),
-      texels_((columns_ - 1) * kBlock) {}
+      texels_((corners_.columns() - 1) * kBlock) {}
 
 void GroundView::LookAt(const SceneLight& light, SeabedRelief& relief, int column, int row,
                         double& range) {
@@ -49,20 +42,11 @@ void GroundView::LookAt(const SceneLight& light, SeabedRelief& relief, int colum
   const double v = row * kBlock;
   const Eigen::Vector3d ray = light.R_WC() * Eigen::Vector3d((u - camera_.cx) / camera_.fx,
                                                              (v - camera_.cy) / camera_.fy, 1.0);
-  // Newton steps from the neighbour's distance (in units of the ray) to the relief.
-  SeabedRelief::Surface ground;
-  for (int step = 0; step < 2; ++step) {
-    const Eigen::Vector3d p = light.camera_W() + range * ray;
-    ground = relief.At(p.x(), p.y());
-    const double closing = ray.z() - ground.slope_north * ray.x() - ground.slope_east * ray.y();
-    range = closing > 0.02 ? range + (ground.depth - p.z()) / closing : kFarthest;
-    range = std::clamp(range, 0.05, kFarthest);
-  }
-  const Eigen::Vector3d p = light.camera_W() + range * ray;
+  const auto [p, ground] = SeabedRays(relief, light.camera_W(), kFarthest).Meet(ray, range);
   const Eigen::Vector2d off(p.y() - origin_.x(), p.x() - origin_.y());
-  place(column, row) = off.cast<float>();
-  node(kAcross, column, row) = static_cast<float>(kUnitsPerMeter * off.x());
-  node(kAlong, column, row) = static_cast<float>(kUnitsPerMeter * off.y());
+  corners_.place(column, row) = off.cast<float>();
+  corners_.node(kAcross, column, row) = static_cast<float>(kUnitsPerMeter * off.x());
+  corners_.node(kAlong, column, row) = static_cast<float>(kUnitsPerMeter * off.y());
 
   const double length = ray.norm();
   const SceneLight::Path path = light.Along(ray / length, range * length);
@@ -74,11 +58,11 @@ void GroundView::LookAt(const SceneLight& light, SeabedRelief& relief, int colum
   const auto vignette = static_cast<float>(light.VignetteOf(u, v));
   constexpr float kUnpacked = 1.0F / (255.0F * 255.0F);  // texels are square roots in 1/255
   for (int c = 0; c < 3; ++c) {
-    node(static_cast<Layer>(kGain + c), column, row) =
+    corners_.node(kGain + c, column, row) =
         kUnpacked * vignette * patch * lit.light(c) * path.direct(c);
-    node(static_cast<Layer>(kVeil + c), column, row) = vignette * path.veil(c);
+    corners_.node(kVeil + c, column, row) = vignette * path.veil(c);
   }
-  node(kSunShare, column, row) = lit.sun_share;
+  corners_.node(kSunShare, column, row) = lit.sun_share;
   mean_range_ += range * length;
   if (range * length < kSeenClutter) {
     area_.south = std::min(area_.south, p.x());
@@ -95,15 +79,9 @@ void GroundView::Look(const SceneLight& light, SeabedRelief& relief) {
              kTileSide * std::floor(camera.x() / kTileSide)};
   area_ = {camera.x(), camera.x(), camera.y(), camera.y()};
   mean_range_ = 0.0;
-  double first = 4.0;
-  for (int row = 0; row < static_cast<int>(rows_); ++row) {
-    double range = first;
-    for (int column = 0; column < static_cast<int>(columns_); ++column) {
-      LookAt(light, relief, column, row, range);
-      first = column == 0 ? range : first;
-    }
-  }
-  mean_range_ /= static_cast<double>(columns_ * rows_);
+  corners_.EachCorner(
+      [&](int column, int row, double& range) { LookAt(light, relief, column, row, range); });
+  mean_range_ /= static_cast<double>(corners_.columns() * corners_.rows());
   FillCaustics(light);
 }
 
@@ -118,8 +96,9 @@ void GroundView::FillCaustics(const SceneLight& light) {
     for (int column = 0; column < static_cast<int>(caustic_columns_); ++column) {
       const int right = (column + 1) / 2;
       const int low = (row + 1) / 2;
-      const Eigen::Vector2f at = 0.25F * (place(column / 2, row / 2) + place(right, row / 2) +
-                                          place(column / 2, low) + place(right, low));
+      const Eigen::Vector2f at =
+          0.25F * (corners_.place(column / 2, row / 2) + corners_.place(right, row / 2) +
+                   corners_.place(column / 2, low) + corners_.place(right, low));
       *out++ = light.caustics().LightAt(origin_.y() + at.y(), origin_.x() + at.x()) - 1.0F;
     }
   }
@@ -136,35 +115,17 @@ void GroundView::DropShadow(const SceneLight& light, const Solid& solid,
   const double spread = radius + 0.25 * std::max(above - radius, 0.0);
   const auto darkness = static_cast<float>(0.6 * radius * radius / (spread * spread));
   const auto reach2 = static_cast<float>(spread * spread);
-  for (int row = 0; row < static_cast<int>(rows_); ++row) {
-    for (int column = 0; column < static_cast<int>(columns_); ++column) {
-      const float far2 = (place(column, row) - middle).squaredNorm() / reach2;
-      if (far2 > 4.0F) continue;
-      const float left_over = 1.0F - darkness * std::exp(-far2 * far2);
-      for (int c = 0; c < 3; ++c)
-        node(static_cast<Layer>(kGain + c), column, row) *= left_over;
-    }
-  }
-}
-
-void GroundView::InterpolateRow(int row) {
-  const auto upper = static_cast<std::size_t>(row / kBlock) * kLayers * columns_;
-  const float low = (static_cast<float>(row % kBlock) + 0.5F) / kBlock;
-  const float* above = &nodes_[upper];
-  const float* below = above + kLayers * columns_;
-  for (std::size_t i = 0; i < row_values_.size(); ++i) {
-    row_values_[i] = above[i] + low * (below[i] - above[i]);
-  }
+  corners_.Dim(kGain, middle, [&](float distance2) {
+    const float far2 = distance2 / reach2;
+    return far2 > 4.0F ? 1.0F : 1.0F - darkness * std::exp(-far2 * far2);
+  });
 }
 
 void GroundView::SampleRow() {
-  const float* across = &row_values_[kAcross * columns_];
-  const float* along = &row_values_[kAlong * columns_];
-  for (std::size_t block = 0; block + 1 < columns_; ++block) {
-    const auto step_u = static_cast<std::int32_t>((across[block + 1] - across[block]) / kBlock);
-    const auto step_v = static_cast<std::int32_t>((along[block + 1] - along[block]) / kBlock);
-    auto u = static_cast<std::int32_t>(across[block]) + step_u / 2;
-    auto v = static_cast<std::int32_t>(along[block]) + step_v / 2;
+  const float* across = corners_.at_row(kAcross);
+  const float* along = corners_.at_row(kAlong);
+  for (std::size_t block = 0; block + 1 < corners_.columns(); ++block) {
+    auto [u, v, step_u, step_v] = corners_.StepsIn(block, across, along);
     std::uint32_t* out = &texels_[block * kBlock];
     const int longest = std::max(std::abs(step_u), std::abs(step_v));
     if (longest <= SeabedTile::kUnitsPerTexel * 3 / 4) {  // nearer than the tile is fine
@@ -186,8 +147,8 @@ void GroundView::SampleRow() {
 
 void GroundView::PaintSpot(const Spot& spot, const Eigen::Vector3f& sun) {
   const Growth& growth = *spot.growth;
-  const float* across = &row_values_[kAcross * columns_];
-  const float* along = &row_values_[kAlong * columns_];
+  const float* across = corners_.at_row(kAcross);
+  const float* along = corners_.at_row(kAlong);
   constexpr auto kMeters = static_cast<float>(1.0 / kUnitsPerMeter);
   const auto east_of = static_cast<float>(growth.east - origin_.x());
   const auto north_of = static_cast<float>(growth.north - origin_.y());
@@ -219,17 +180,16 @@ void GroundView::InterpolateCaustics(int row) {
   const float low = (static_cast<float>(row % kCausticStep) + 0.5F) / kCausticStep;
   const float* above = &caustics_[upper * caustic_columns_];
   const float* below = above + caustic_columns_;
-  const float* share = &row_values_[kSunShare * columns_];
+  const float* share = corners_.at_row(kSunShare);
   for (std::size_t i = 0; i < caustic_columns_; ++i) {
     row_caustics_[i] = 1.0F + share[i / 2] * (above[i] + low * (below[i] - above[i]));
   }
 }
 
 void GroundView::ShadeRow(int row, LinearImage& image) const {
-  constexpr std::array<float, kBlock> kShare{0.0625F, 0.1875F, 0.3125F, 0.4375F,
-                                             0.5625F, 0.6875F, 0.8125F, 0.9375F};
+  constexpr std::array<float, kBlock> kShare = CornerGrid::kShare;
   constexpr std::array<float, kCausticStep> kFine{0.125F, 0.375F, 0.625F, 0.875F};
-  for (std::size_t block = 0; block + 1 < columns_; ++block) {
+  for (std::size_t block = 0; block + 1 < corners_.columns(); ++block) {
     std::array<float, kBlock> waves;
     const float* caustic = &row_caustics_[2 * block];
     for (std::size_t i = 0; i < kCausticStep; ++i) {
@@ -238,10 +198,10 @@ void GroundView::ShadeRow(int row, LinearImage& image) const {
     }
     const std::uint32_t* texels = &texels_[block * kBlock];
     for (std::size_t c = 0; c < 3; ++c) {
-      const float gain = row_values_[(kGain + c) * columns_ + block];
-      const float gain_step = row_values_[(kGain + c) * columns_ + block + 1] - gain;
-      const float veil = row_values_[(kVeil + c) * columns_ + block];
-      const float veil_step = row_values_[(kVeil + c) * columns_ + block + 1] - veil;
+      const float* gains = corners_.at_row(kGain + c) + block;
+      const float* veils = corners_.at_row(kVeil + c) + block;
+      const float gain = gains[0], gain_step = gains[1] - gain;
+      const float veil = veils[0], veil_step = veils[1] - veil;
       float* out = image.row(c, row) + block * kBlock;
       for (std::size_t i = 0; i < kBlock; ++i) {
         const auto root =
@@ -273,7 +233,7 @@ void GroundView::Paint(const CameraModel& camera, const Pose& X_WB, SeabedRelief
                             static_cast<float>(towards_sun_W.x()),
                             static_cast<float>(-towards_sun_W.z()));
   for (int row = 0; row < camera.height_px; ++row) {
-    InterpolateRow(row);
+    corners_.TakeRow(row);
     SampleRow();
     for (const Spot& spot : spots_) {
       if (row >= spot.top && row < spot.bottom) PaintSpot(spot, sun);

@@ -13,6 +13,7 @@
 #include "limpet/imaging/scene_light.hpp"
 #include "limpet/imaging/seabed_tile.hpp"
 #include "limpet/imaging/tile_noise.hpp"
+#include "limpet/vision/corner_grid.hpp"
 
 namespace limpet {
 
@@ -22,7 +23,7 @@ class GroundView {
   GroundView(const CameraModel& camera, SeabedTile tile, std::uint64_t seed);
 
   /// Floats from row to row that an image needs to be painted by this.
-  [[nodiscard]] std::size_t stride() const { return (columns_ - 1) * kBlock; }
+  [[nodiscard]] std::size_t stride() const { return (corners_.columns() - 1) * kBlock; }
 
   /// Finds the seabed for every block's corner.
   void Look(const SceneLight& light, SeabedRelief& relief);
@@ -37,7 +38,7 @@ class GroundView {
              LinearImage& image);
 
  private:
-  static constexpr int kBlock = 8;  ///< pixels between corners
+  static constexpr int kBlock = CornerGrid::kBlock;
   static constexpr int kCausticStep = 4;
   enum Layer { kAcross, kAlong, kSunShare, kGain, kVeil = kGain + 3, kLayers = kVeil + 3 };
   /// A growth in the image, and the pixels that it may cover.
@@ -48,29 +49,19 @@ class GroundView {
 
   void LookAt(const SceneLight& light, SeabedRelief& relief, int column, int row, double& range);
   void FillCaustics(const SceneLight& light);
-  void InterpolateRow(int row);
   void SampleRow();
   void PaintSpot(const Spot& spot, const Eigen::Vector3f& sun);
   void InterpolateCaustics(int row);
   void ShadeRow(int row, LinearImage& image) const;
-  [[nodiscard]] float& node(Layer layer, int column, int row) {
-    return nodes_[(static_cast<std::size_t>(row) * kLayers + layer) * columns_ +
-                  static_cast<std::size_t>(column)];
-  }
-  [[nodiscard]] Eigen::Vector2f& place(int column, int row) {
-    return places_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
-  }
 
   CameraModel camera_;
   SeabedTile tile_;
   TileNoise patches_;
-  std::size_t columns_, rows_;  ///< of corners
+  CornerGrid corners_;  ///< places are east, north less origin_ [m]
   std::size_t caustic_columns_, caustic_rows_;
-  std::vector<float> nodes_;                      ///< layers by row of corners
-  std::vector<Eigen::Vector2f> places_;           ///< east, north of corners less origin_ [m]
-  std::vector<float> caustics_;                   ///< excess of light, every kCausticStep pixels
-  std::vector<float> row_values_, row_caustics_;  ///< of one image row
-  std::vector<std::uint32_t> texels_;             ///< of one image row, as SeabedTile packs them
+  std::vector<float> caustics_;        ///< excess of light, every kCausticStep pixels
+  std::vector<float> row_caustics_;    ///< of one image row
+  std::vector<std::uint32_t> texels_;  ///< of one image row, as SeabedTile packs them
   std::vector<Spot> spots_;
   Eigen::Vector2d origin_;  ///< east, north [m]; corner of a tile
   Clutter::Area area_;

@@ -18,7 +18,7 @@ namespace {
 Eigen::Vector3d EastNorthUp(const Eigen::Vector3d& ned) { return {ned.y(), ned.x(), -ned.z()}; }
 
 Clutter::Density DensityOf(const PictureSettings& settings) {
-  const CameraModel& camera = settings.camera;
+  const CameraModel& camera = settings.scene.camera;
   const double across = 2.0 * camera.half_across() * PictureRenderer::kDecoyRange;
   const double along = 2.0 * camera.half_along() * PictureRenderer::kDecoyRange;
   const ImageParams::Clutter& clutter = settings.image.clutter;
@@ -36,29 +36,29 @@ struct Painted {
 
 PictureRenderer::PictureRenderer(const PictureSettings& settings)
     : settings_(settings),
-      water_(Meters(settings.visibility_m), settings.image.water),
+      water_(Meters(settings.scene.visibility_m), settings.image.water),
       lamp_(settings.image.light, water_),
-      caustics_(settings.image.light.caustics, settings.noise_seed),
-      relief_(settings.seabed_depth),
+      caustics_(settings.image.light.caustics, settings.scene.noise_seed),
+      relief_(settings.scene.seabed_depth),
       towards_sun_W_(TowardsSun(settings.image.light)),
-      ground_(settings.camera,
-              MakeSeabed(settings.image.seabed.kind, settings.seabed_seed)
+      ground_(settings.scene.camera,
+              MakeSeabed(settings.image.seabed.kind, settings.scene.seabed_seed)
                   .Lit(EastNorthUp(towards_sun_W_), settings.image.seabed.shading),
-              settings.seabed_seed),
-      clutter_(DensityOf(settings), settings.seabed_seed),
+              settings.scene.seabed_seed),
+      clutter_(DensityOf(settings), settings.scene.seabed_seed),
       lens_(settings.image.lens),
-      sensor_(settings.image.sensor, settings.camera.width_px, settings.noise_seed),
+      sensor_(settings.image.sensor, settings.scene.camera.width_px, settings.scene.noise_seed),
       jpeg_(static_cast<int>(settings.image.sensor.jpeg_quality)),
-      linear_(settings.camera.width_px, settings.camera.height_px, ground_.stride()),
-      label_image_(static_cast<std::size_t>(settings.camera.width_px) *
-                   static_cast<std::size_t>(settings.camera.height_px)) {
-  LIMPET_REQUIRE(settings.seabed_depth != nullptr, "a picture needs a seabed");
+      linear_(settings.scene.camera.width_px, settings.scene.camera.height_px, ground_.stride()),
+      label_image_(static_cast<std::size_t>(settings.scene.camera.width_px) *
+                   static_cast<std::size_t>(settings.scene.camera.height_px)) {
+  LIMPET_REQUIRE(settings.scene.seabed_depth != nullptr, "a picture needs a seabed");
 }
 
 void PictureRenderer::AddLabel(SolidLabel found, std::uint8_t label, int painted_pixels) {
   const PixelRect& outline = found.outline;
-  const int width = settings_.camera.width_px;
-  const int height = settings_.camera.height_px;
+  const int width = settings_.scene.camera.width_px;
+  const int height = settings_.scene.camera.height_px;
   const int top = std::clamp(static_cast<int>(outline.top) - 1, 0, height);
   const int bottom = std::clamp(static_cast<int>(outline.bottom) + 2, 0, height);
   const int first = std::clamp(static_cast<int>(outline.left) - 1, 0, width);
@@ -84,7 +84,7 @@ void PictureRenderer::PaintSolids(const Pose& X_WB, std::span<const Solid> solid
                                   const SceneLight& light) {
   std::vector<Painted> painted;
   const auto add = [&](const Solid& solid, std::size_t index) {
-    if (auto painter = SolidPainter::Make(settings_.camera, X_WB, solid, light)) {
+    if (auto painter = SolidPainter::Make(settings_.scene.camera, X_WB, solid, light)) {
       painted.push_back({*painter, index});
     }
   };
@@ -112,18 +112,18 @@ void PictureRenderer::PaintSolids(const Pose& X_WB, std::span<const Solid> solid
 void PictureRenderer::AddFlakes(const SceneLight& light, std::uint32_t frame) {
   const double mean = settings_.image.water.particles;
   if (mean <= 0.0) return;
-  Random random(settings_.noise_seed + frame, "flakes");
+  Random random(settings_.scene.noise_seed + frame, "flakes");
   const int count = static_cast<int>(mean + std::sqrt(mean) * random.Normal(1.0));
   for (int i = 0; i < count; ++i) {
-    const double u = random.Uniform(0.0, settings_.camera.width_px);
-    const double v = random.Uniform(0.0, settings_.camera.height_px);
+    const double u = random.Uniform(0.0, settings_.scene.camera.width_px);
+    const double v = random.Uniform(0.0, settings_.scene.camera.height_px);
     const double range = 0.25 + 1.75 * std::sqrt(random.Uniform(0.0, 1.0));
-    const Eigen::Vector3d ray_W = light.R_WC() * settings_.camera.RayOf(u, v);
+    const Eigen::Vector3d ray_W = light.R_WC() * settings_.scene.camera.RayOf(u, v);
     const Eigen::Vector3d p_W = light.camera_W() + range * ray_W;
     const Eigen::Array3f glow = light.On(p_W, -ray_W) * light.Along(ray_W, range).direct;
     // A flake of a millimetre out of focus.
     const double sigma = 0.5 + 0.35 * random.Uniform(0.2, 1.0) / range;
-    const double size = 0.0009 * random.Uniform(0.5, 1.5) * settings_.camera.fx / range;
+    const double size = 0.0009 * random.Uniform(0.5, 1.5) * settings_.scene.camera.fx / range;
     const double peak = 0.5 * std::min(size * size / (6.0 * sigma * sigma), 1.0);
     const int reach = static_cast<int>(std::ceil(2.5 * sigma));
     for (int row = static_cast<int>(v) - reach; row <= static_cast<int>(v) + reach; ++row) {
@@ -145,7 +145,7 @@ void PictureRenderer::AddFlakes(const SceneLight& light, std::uint32_t frame) {
 
 Image PictureRenderer::Render(const Pose& X_WB, std::span<const Solid> solids, std::uint32_t frame,
                               Seconds time) {
-  const CameraModel& camera = settings_.camera;
+  const CameraModel& camera = settings_.scene.camera;
   labels_.clear();
   growth_.clear();
   litter_.clear();

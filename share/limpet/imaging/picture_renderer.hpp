@@ -21,18 +21,15 @@
 #include "limpet/objects/pixel_rect.hpp"
 #include "limpet/simulation/image_params.hpp"
 #include "limpet/vision/image.hpp"
+#include "limpet/vision/scene_settings.hpp"
 #include "limpet/vision/seabed_relief.hpp"
 
 namespace limpet {
 
 struct PictureSettings {
-  CameraModel camera;
-  SeabedDepthFunction seabed_depth;  ///< [m] at (north, east) [m]; smooth over 0.25 m
-  double visibility_m = 8.0;
+  SceneSettings scene;
   ImageParams image;
   double decoys_per_image = 0.0;  ///< litter in a picture from kDecoyRange, on top of the density
-  std::uint64_t seabed_seed = 1;  ///< of seabed and clutter: the same place in every session
-  std::uint64_t noise_seed = 1;   ///< of waves, flakes and sensor noise
 };
 
 /// Where an object is in a picture: the truth that a detector is taught and judged by.

@@ -8,6 +8,7 @@
 #include "limpet/imaging/solid_image.hpp"
 #include "limpet/imaging/tile_noise.hpp"
 #include "limpet/vision/color_table.hpp"
+#include "limpet/vision/water_optics.hpp"
 
 namespace limpet {
 namespace {
@@ -34,11 +35,10 @@ std::optional<SolidPainter> SolidPainter::Make(const CameraModel& camera, const 
   const bool is_inside = outline && outline->right > 0.0 && outline->bottom > 0.0 &&
                          outline->left < camera.width_px && outline->top < camera.height_px;
   if (!is_inside) return std::nullopt;
-  // Beyond this no 8-bit image shows it.
-  constexpr float kLeastTransmission = 0.002F;
   const double range = (solid.p_W - light.camera_W()).norm();
   const Eigen::Vector3d ray_W = (solid.p_W - light.camera_W()) / range;
-  if (light.Along(ray_W, range).direct.maxCoeff() < kLeastTransmission) return std::nullopt;
+  if (light.Along(ray_W, range).direct.maxCoeff() < static_cast<float>(kLeastTransmission))
+    return std::nullopt;
   return SolidPainter(camera, X_WB, solid, light, *outline);
 }
 

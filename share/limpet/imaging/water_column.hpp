@@ -21,10 +21,6 @@ class WaterColumn {
   /// REQUIRES: visibility > 0, dissolved >= 0, backscatter >= 0.
   WaterColumn(Meters visibility, const ImageParams::Water& water);
 
-  [[nodiscard]] Eigen::Array3f beam_attenuation() const { return beam_.head<3>(); }  ///< c [1/m]
-  [[nodiscard]] Eigen::Array3f diffuse_attenuation() const {
-    return diffuse_.head<3>();
-  }                                                                                  ///< K [1/m]
   [[nodiscard]] Eigen::Array3f scattering() const { return scattering_.head<3>(); }  ///< b [1/m]
 
   /// Share of a thing's light that reaches the lens from `range` [m].

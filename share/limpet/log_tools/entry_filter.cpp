@@ -4,18 +4,9 @@
 #include <algorithm>
 
 #include "limpet/pubsub/database.hpp"
+#include "limpet/pubsub/wildcard_list.hpp"
 
 namespace limpet {
-namespace {
-
-bool MatchesAny(const std::vector<std::string>& patterns, std::string_view text) {
-  return patterns.empty() || std::ranges::any_of(patterns, [text](const std::string& pattern) {
-           return MatchesWildcard(pattern, text);
-         });
-}
-
-}  // namespace
-
 std::vector<CommandOption> EntryFilter::Options() {
   const ValueRule seconds = AnyNumber("seconds since the start of the log");
   return {
@@ -50,14 +41,14 @@ bool EntryFilter::AcceptsName(std::string_view name) {
   key_ = name;
   const auto [verdict, is_new] = verdicts_.try_emplace(key_, false);
   if (is_new) {
-    verdict->second = MatchesAny(names_, name);
+    verdict->second = IsChosen(names_, name);
   }
   return verdict->second;
 }
 
 bool EntryFilter::Accepts(const AlogEntry& entry) {
   return (!from_ || entry.time >= *from_) && (!to_ || entry.time <= *to_) &&
-         AcceptsName(entry.name) && MatchesAny(sources_, entry.source) &&
+         AcceptsName(entry.name) && IsChosen(sources_, entry.source) &&
          (!part_of_value_ || entry.value.find(*part_of_value_) != std::string_view::npos);
 }
 

@@ -9,6 +9,7 @@
 
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/interrupt.hpp"
+#include "limpet/logbook/log_name.hpp"
 
 namespace limpet {
 namespace {
@@ -18,16 +19,11 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kBytesWorthProgress = std::uintmax_t{200} << 20U;
 constexpr std::uint64_t kLinesPerLook = 1U << 14U;
 
-bool IsLogName(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".alog") || name.ends_with(".alog.gz");
-}
-
 /// The one log in a folder, or in the folders below it, as a run has them.
 fs::path LogIn(const fs::path& folder) {
   std::vector<fs::path> logs;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && IsLogName(entry.path())) {
+    if (entry.is_regular_file() && IsAlogName(entry.path())) {
       logs.push_back(entry.path());
     }
   }

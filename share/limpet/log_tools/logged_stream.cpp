@@ -40,7 +40,7 @@ std::optional<StreamRow> RowOf(double t, const DvlSample& s, const Eigen::Matrix
 }
 
 std::optional<StreamRow> RowOf(double t, const GpsFix& s) {
-  return GpsRow{.t = t, .p_W = {s.north, s.east}, .sd = s.sd};
+  return PositionFix{.t = t, .p_W = {s.north, s.east}, .sd = s.sd};
 }
 
 std::optional<StreamRow> RowOf(double t, Detections frame) {

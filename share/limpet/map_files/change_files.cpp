@@ -41,7 +41,7 @@ OrderedJson ChangeFeature(const SessionComparison& comparison, const OpiBelief& 
             {"p_removed", object.posterior.removed},
             {"p_new", object.posterior.appeared},
             {"depth_m", p_W.z()},
-            {"id_a", IdJson(object.prior_id)},
+            {"id_a", IdJson(object.former_id)},
             {"landmark_b", IdJson(object.landmark)},
             {"looks_b", object.looks},
             {"p_nothing", object.posterior.nothing},
@@ -64,7 +64,7 @@ std::string ChangesToCsv(const SessionComparison& comparison) {
     fmt::format_to(std::back_inserter(text),
                    "{},{},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{},{},{},{},{:.4f},{}\n",
                    NameOf(object.decided), object.object.color, p.confirmed, p.removed, p.appeared,
-                   p_W.x(), p_W.y(), p_W.z(), GeoFields(datum, p_W), IdText(object.prior_id),
+                   p_W.x(), p_W.y(), p_W.z(), GeoFields(datum, p_W), IdText(object.former_id),
                    IdText(object.landmark), object.looks, p.nothing,
                    moved ? fmt::format("{:.3f}", *moved) : "");
   }

@@ -110,14 +110,8 @@ Expectations ParseExpectations(const std::string& text, const std::string& file,
                                const std::vector<std::string>& sessions) {
   YamlReader in(file);
   Expectations expected;
-  try {
-    expected = ReadExpectations(in, in.OnlyDocument(text), file, sessions);
-  } catch (const YAML::Exception& error) {
-    in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
-  }
-  if (!in.problems().empty()) {
-    throw ConfigError(in.problems());
-  }
+  in.ReadDocument(
+      text, [&](const YAML::Node& root) { expected = ReadExpectations(in, root, file, sessions); });
   return expected;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/config_entries.hpp"
 #include "limpet/mission/fact_files.hpp"
 #include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/shared_settings.hpp"
@@ -300,9 +301,8 @@ const ConfigBlock* MissionFile::Block(std::string_view name) const {
 }
 
 std::string MissionFile::Global(std::string_view key) const {
-  const auto found = std::ranges::find_if(
-      globals, [key](const ConfigEntry& entry) { return EqualsIgnoringCase(entry.key, key); });
-  return found == globals.end() ? "" : found->value;
+  const ConfigEntry* global = FindEntry(globals, key);
+  return global == nullptr ? "" : global->value;
 }
 
 PlugOptions MissionPlugOptions(const std::filesystem::path& file) {

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "limpet/mission/scenario_reach.hpp"
+
 namespace limpet::internal {
 namespace {
-
-constexpr double kFarthest_m = 1e5;  // from the datum, as objects have it
 
 /// `[n, e]`, or nothing and a complaint.
 std::optional<Eigen::Vector2d> ReadSize(YamlReader& in, const YAML::Node& node,

@@ -2,8 +2,9 @@
 #include "limpet/mission/plug_macros.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
+
+#include "limpet/core/letter_case.hpp"
 
 namespace limpet {
 namespace {
@@ -75,14 +76,6 @@ std::optional<Use> UseAt(std::string_view line, std::size_t begin,
   return use;
 }
 
-std::string Upper(std::string_view text) {
-  std::string upper(text);
-  std::ranges::transform(upper, upper.begin(), [](char letter) {
-    return static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-  });
-  return upper;
-}
-
 }  // namespace
 
 bool PlugMacros::Define(std::string_view name, Macro macro) {
@@ -144,7 +137,7 @@ bool PlugMacros::ExpandOnce(Expansion& expansion, std::size_t most) {
         macro != nullptr && !(macro->value.empty() && use->falls_back_when_empty);
     if (is_usable || (use && use->fallback)) {
       const std::string_view text = is_usable ? macro->value : *use->fallback;
-      out += use->is_upper ? Upper(text) : std::string(text);
+      out += use->is_upper ? UpperCase(text) : std::string(text);
       is_changed = true;
       at = use->end;
     } else {

@@ -12,16 +12,16 @@
 
 #include "limpet/mission/fault_reading.hpp"
 #include "limpet/mission/obstacle_reading.hpp"
+#include "limpet/mission/scenario_reach.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/yaml_reader.hpp"
 
 namespace limpet {
 namespace {
 
+using internal::kFarthest_m;
 using internal::TextOfNode;
 using internal::YamlReader;
-
-constexpr double kFarthest_m = 1e5;  // from the datum; beyond it a local grid means nothing
 
 void ReadSeabed(YamlReader& in, const YAML::Node& node, Scenario::Seabed& seabed) {
   const std::string path = "seabed";
@@ -67,7 +67,7 @@ void ReadSensors(YamlReader& in, const YAML::Node& node, Scenario::Sensors& sens
 /// What differs from the vehicle's data sheets, by sensor.
 void ReadErrors(YamlReader& in, const YAML::Node& node, SimulatedErrors& errors) {
   std::vector<YamlReader::Field> sections;
-  for (const ErrorSection& section : ErrorSections(errors)) {
+  for (const KeySection& section : ErrorSections(errors)) {
     const std::string path = "errors." + section.name;
     sections.push_back({section.name, [&in, path, keys = section.keys](const YAML::Node& map) {
                           in.ReadMap(map, path, in.Declared(path, keys));
@@ -79,7 +79,7 @@ void ReadErrors(YamlReader& in, const YAML::Node& node, SimulatedErrors& errors)
 /// How rendered pictures look: keys of its own, then a section per stage.
 void ReadImageLook(YamlReader& in, const YAML::Node& node, ImageParams& image) {
   std::vector<YamlReader::Field> fields;
-  for (const ImageSection& section : ImageSections(image)) {
+  for (const KeySection& section : ImageSections(image)) {
     if (section.name.empty()) {
       std::ranges::move(in.Declared("image", section.keys), std::back_inserter(fields));
       continue;
@@ -236,16 +236,16 @@ Scenario ReadScenario(YamlReader& in, const YAML::Node& root, bool checks_places
 
 }  // namespace
 
-std::vector<ScenarioSection> DeclaredScenarioSections() {
+std::vector<KeySection> DeclaredScenarioSections() {
   static Scenario scenario;
   static ScenarioOpi opi;
-  std::vector<ScenarioSection> sections = {{"water", DescribeParams(scenario.water.current)},
-                                           {"opis[]", DescribeParams(opi.motion)}};
+  std::vector<KeySection> sections = {{"water", DescribeParams(scenario.water.current)},
+                                      {"opis[]", DescribeParams(opi.motion)}};
   std::ranges::move(DescribeParams(opi.shape), std::back_inserter(sections.back().keys));
-  for (ErrorSection& section : ErrorSections(scenario.errors)) {
+  for (KeySection& section : ErrorSections(scenario.errors)) {
     sections.push_back({"errors." + section.name, std::move(section.keys)});
   }
-  for (ImageSection& section : ImageSections(scenario.image)) {
+  for (KeySection& section : ImageSections(scenario.image)) {
     sections.push_back(
         {section.name.empty() ? "image" : "image." + section.name, std::move(section.keys)});
   }
@@ -288,14 +288,8 @@ std::vector<std::string> SessionsOf(const Scenario& scenario) {
 Scenario ParseScenario(const std::string& text, const std::string& file, bool checks_places) {
   YamlReader in(file);
   Scenario scenario;
-  try {
-    scenario = ReadScenario(in, in.OnlyDocument(text), checks_places);
-  } catch (const YAML::Exception& error) {
-    in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
-  }
-  if (!in.problems().empty()) {
-    throw ConfigError(in.problems());
-  }
+  in.ReadDocument(
+      text, [&](const YAML::Node& root) { scenario = ReadScenario(in, root, checks_places); });
   return scenario;
 }
 

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/key_section.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/fault_kinds.hpp"
 #include "limpet/simulation/image_params.hpp"
@@ -82,12 +83,8 @@ struct Scenario {
   std::vector<ScenarioFault> faults{};
 };
 
-/// A section of scenario.yaml whose keys declare themselves, e.g. `errors.camera`.
-struct ScenarioSection {
-  std::string name;
-  std::vector<ParamSpec> keys;
-};
-[[nodiscard]] std::vector<ScenarioSection> DeclaredScenarioSections();
+/// Sections of scenario.yaml whose keys declare themselves, e.g. `errors.camera`.
+[[nodiscard]] std::vector<KeySection> DeclaredScenarioSections();
 
 /// Sessions that the scenario's objects have places in, by name; none without objects. Where one of
 /// discovery and change is among them both are: an object without a place in one is absent then.

@@ -183,6 +183,16 @@ YAML::Node YamlReader::OnlyDocument(const std::string& text) {
   return YAML::Load(text);
 }
 
+void YamlReader::ReadDocument(const std::string& text,
+                              const std::function<void(const YAML::Node& root)>& read) {
+  try {
+    read(OnlyDocument(text));
+  } catch (const YAML::Exception& error) {
+    Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
+  }
+  if (!problems_.empty()) throw ConfigError(problems_);
+}
+
 YamlReader::Field YamlReader::Choice(const std::string& path, const char* key, std::string& field,
                                      std::vector<std::string> choices) {
   return {key, [this, path, key, &field, choices = std::move(choices)](const YAML::Node& node) {

@@ -23,6 +23,9 @@ class YamlReader {
  public:
   explicit YamlReader(std::string file) : file_(std::move(file)) {}
 
+  /// Gives the text's document to `read`. Throws ConfigError with every problem, `read`'s too.
+  void ReadDocument(const std::string& text,
+                    const std::function<void(const YAML::Node& root)>& read);
   /// The text's document; a second one, which nobody would read, is a problem. Throws
   /// YAML::Exception.
   [[nodiscard]] YAML::Node OnlyDocument(const std::string& text);

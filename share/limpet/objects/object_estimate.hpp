@@ -43,9 +43,9 @@ struct FormerCandidate {
 struct Landmark {
   int id = 0;
   ObjectEstimate object;
-  int looks = 0;              ///< detections associated
-  bool is_confirmed = false;  ///< enough looks and parallax to be an object; tentative ones are not
-                              ///< published to users
+  int detections = 0;         ///< associated with it: boxes, several of one look
+  bool is_confirmed = false;  ///< enough detections and parallax to be an object; tentative ones
+                              ///< are not published to users
   std::optional<int> former_id = std::nullopt;  ///< of the FormerObject that it was matched with
   double former_probability = 1.0;  ///< that it stands where that one stood; else it was moved, or
                                     ///< that one is gone and this one came
@@ -65,9 +65,9 @@ struct FormerObject {
 
 /// An object of potential interest, as map and smoother together know it.
 struct OpiBelief {
-  int id = 0;                     ///< unique in the session and lasting
-  std::optional<int> landmark{};  ///< NAV_LANDMARKS id; nothing if only the former session knew it
-  std::optional<int> prior_id{};  ///< id in SESSION_PRIOR, if the former session knew it
+  int id = 0;                      ///< unique in the session and lasting
+  std::optional<int> landmark{};   ///< NAV_LANDMARKS id; nothing if only the former session knew it
+  std::optional<int> former_id{};  ///< id in SESSION_PRIOR, if the former session knew it
   ObjectEstimate object;  ///< the smoother's, else the former session's in this session's frame
   /// Lambda of this session: ln P(looks | present) / P(looks | absent).
   double log_likelihood_ratio = 0.0;
@@ -75,7 +75,7 @@ struct OpiBelief {
   int looks_with_box = 0;  ///< of them; MAP_OPIS does not carry it
   StatusPosterior posterior;
   Status decided = Status::kUncertain;  ///< in a discovery session new or uncertain
-  /// Of what is decided to have moved: that it is the former object `prior_id`, which stood
+  /// Of what is decided to have moved: that it is the former object `former_id`, which stood
   /// elsewhere, and that that place is empty now.
   std::optional<double> moved_probability = std::nullopt;
   Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();   ///< of the map's OPI voxels [m]

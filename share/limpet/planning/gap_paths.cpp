@@ -27,7 +27,7 @@ bool IsFlyable(const Pass& pass, const Region& region, Meters turn_radius) {
 /// the top of the band; those that would be trapped at the border are left out.
 Stop PassesOf(const Patch& patch, const Footprint& footprint, const Region& region,
               Meters turn_radius) {
-  const int top = Footprint::kLayers - 1;
+  const int top = Footprint::kTop;
   Stop stop;
   for (int i = 0; i < kGapHeadings; ++i) {
     const double off_axis = 2.0 * std::numbers::pi * i / kGapHeadings;

@@ -22,6 +22,7 @@ namespace limpet {
 class Footprint {
  public:
   static constexpr int kLayers = 4;
+  static constexpr int kTop = kLayers - 1;
   /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is. `reach`:
   /// how far one sees [m].
   Footprint(double altitude, double object_height_max, const CameraModel& camera,
@@ -49,7 +50,6 @@ class Footprint {
 /// How much each layer of the band counts, from the bottom up; they sum to one. More weight at the
 /// bottom covers the seabed sooner and the band's top later.
 using LayerWeights = std::array<double, Footprint::kLayers>;
-inline constexpr LayerWeights kUniformLayers = {0.25, 0.25, 0.25, 0.25};
 /// Best in the study (tests/bench/planner_study): 12 % less way to 95 % of the seabed than uniform
 /// layers at the same way to 95 % of the band.
 inline constexpr LayerWeights kBottomTwice = {0.4, 0.2, 0.2, 0.2};

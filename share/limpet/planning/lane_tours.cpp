@@ -17,7 +17,6 @@ namespace {
 
 /// A gap in a lane is flown around if it is longer than this many turn radii.
 constexpr double kGapInRadii = 4.0;
-constexpr double kCut = 0.25;  ///< in which lanes are cut at borders [m]
 
 struct UnseenCell {
   double north, east;
@@ -98,26 +97,26 @@ class LaneCutter {
 
   /// What of a lane lies inside the region, piece by piece.
   void AddPass(double across, const Interval& along, std::vector<Pass>& passes) const {
-    const double inset = judge_.ground().footprint().half_along(Footprint::kLayers - 1);
+    const double inset = judge_.ground().footprint().half_along(Footprint::kTop);
     double begin = along.low + inset, end = along.high - inset;
     if (begin > end) begin = end = along.middle();
     for (double at = begin; at <= end;) {
       double piece_end = at;
-      while (piece_end < end && IsOpen({piece_end, std::min(end, piece_end + kCut)}, across)) {
-        piece_end = std::min(end, piece_end + kCut);
+      while (piece_end < end && IsOpen({piece_end, std::min(end, piece_end + kPassCut)}, across)) {
+        piece_end = std::min(end, piece_end + kPassCut);
       }
       AddPiece(across, {at, piece_end}, passes);
-      at = piece_end + kCut;
+      at = piece_end + kPassCut;
     }
   }
 
   /// Shorter at its ends, until there is room for the turns.
   void AddPiece(double across, Interval along, std::vector<Pass>& passes) const {
     auto& [begin, end] = along;
-    while (begin + kCut < end && !IsFlyable({begin, across}, yaw_ + std::numbers::pi))
-      begin += kCut;
-    while (begin + kCut < end && !IsFlyable({end, across}, yaw_))
-      end -= kCut;
+    while (begin + kPassCut < end && !IsFlyable({begin, across}, yaw_ + std::numbers::pi))
+      begin += kPassCut;
+    while (begin + kPassCut < end && !IsFlyable({end, across}, yaw_))
+      end -= kPassCut;
     if (!IsFlyable({end, across}, yaw_)) return;
     passes.push_back(PassAlong(along, across));
   }
@@ -198,7 +197,7 @@ class LanePlanner {
 
   void AddLanes(double yaw) {
     const LaneCutter cutter(tops_, yaw, judge_);
-    for (const int count : Counts(cutter.width(), Width(Footprint::kLayers - 1))) {
+    for (const int count : Counts(cutter.width(), Width(Footprint::kTop))) {
       Add(Behind(InBestOrder(judge_, Start(), cutter.Passes(count))));
     }
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "limpet/planning/home_path.hpp"
+#include "limpet/planning/on_path.hpp"
 #include "limpet/planning/target_tour.hpp"
 
 namespace limpet {
@@ -28,9 +29,6 @@ constexpr std::size_t kOthers = 4;
 constexpr std::size_t kRivals = 2;
 /// So many of the others' options are completed with care.
 constexpr std::size_t kBest = 4;
-/// The vehicle is where the path has it.
-constexpr double kOnPath_m = 0.05;
-constexpr double kOnPath_rad = 0.02;
 
 constexpr const char* kPrevious = "previous";  ///< source of the rest of the path in force
 
@@ -251,10 +249,7 @@ void MissionPlan::OfferRest(TourJudge& judge, std::vector<Option>& options) {
   if (chosen_.passes.empty()) return;
   const double flown = SinceChoice();
   DubinsPath path = chosen_.path.Rest(flown);
-  const bool is_on_it = Distance(path.start(), now_.pose) < kOnPath_m &&
-                        std::abs(std::remainder(path.start().yaw - now_.pose.yaw,
-                                                2.0 * std::numbers::pi)) < kOnPath_rad;
-  if (!is_on_it || path.length() <= 0.0) return;
+  if (!IsOnPath(path, now_.pose) || path.length() <= 0.0) return;
   FlownTour rest{.path = path, .passes = RestAfter(chosen_, flown), .spans = {}};
   for (std::size_t i = chosen_.spans.size() - rest.passes.size(); i < chosen_.spans.size(); ++i) {
     rest.spans.push_back(

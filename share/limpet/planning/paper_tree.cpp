@@ -9,7 +9,6 @@
 namespace limpet {
 namespace {
 
-constexpr int kDrawsPerNode = 20;
 /// A shorter motion is none [m].
 constexpr double kShortestEdge = 1.0;
 

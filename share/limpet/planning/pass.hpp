@@ -11,6 +11,9 @@
 
 namespace limpet {
 
+/// By so much at a time passes are shortened at borders [m].
+inline constexpr double kPassCut = 0.25;
+
 /// One way to pass a place: in at `in`, straight on for `length`.
 struct Pass {
   Pose2 in;

@@ -9,6 +9,10 @@
 
 namespace limpet {
 
+/// Views drawn per node of a tree's budget before the tree stays as small as it is: [Bucci 2025],
+/// Algorithm 3, recurses without bound when it is trapped at the border.
+inline constexpr int kDrawsPerNode = 20;
+
 /// Kernel density of the seen ground on a coarse grid (Gaussian, sigma a third of the swath): where
 /// a new view is worth least.
 class SeenDensity {

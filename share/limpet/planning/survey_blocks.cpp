@@ -12,8 +12,6 @@
 namespace limpet {
 namespace {
 
-constexpr int kTop = Footprint::kLayers - 1;
-
 /// A block's side in swaths, and bounds for it [m]. Fewer lanes than about seven make turns dear,
 /// more of them make plans dear.
 constexpr double kSideInSwaths = 7.0, kShortestSide = 30.0, kLongestSide = 120.0;
@@ -74,7 +72,7 @@ SurveyBlocks::SurveyBlocks(const SurveyGrid& grid, const Footprint& footprint)
         std::clamp(static_cast<int>(std::lround(footprint.swath() / kSwathOfACell)), 1, 4);
   }
   const BlockLengths lengths{.side = side,
-                             .lane = std::max(1.0, 2.0 * footprint.half_across(kTop))};
+                             .lane = std::max(1.0, 2.0 * footprint.half_across(Footprint::kTop))};
   const int rows = is_whole_ ? 1 : BlocksAlong(frame_.rows * frame_.cell_m, lengths);
   const int columns = is_whole_ ? 1 : BlocksAlong(frame_.columns * frame_.cell_m, lengths);
   for (int row = 0; row < rows; ++row) {
@@ -133,15 +131,15 @@ bool SurveyBlocks::IsNear(const PlanePoint& at) const {
 }
 
 bool SurveyBlocks::GoOn(const Ground& ground, const PlanePoint& at, double travelled) {
-  if (is_whole_ || !ground.footprint().is_in_reach(kTop)) return false;
+  if (is_whole_ || !ground.footprint().is_in_reach(Footprint::kTop)) return false;
   if (!is_ordered_) {
     PutInOrderFrom(at);
     return true;
   }
   if (now_ + 1 >= blocks_.size()) return false;
-  const double unseen = 1.0 - ground.SeenShare(kTop);
+  const double unseen = 1.0 - ground.SeenShare(Footprint::kTop);
   if (!leave_at_ && IsNear(at)) {
-    const double swath = std::max(1.0, 2.0 * ground.footprint().half_across(kTop));
+    const double swath = std::max(1.0, 2.0 * ground.footprint().half_across(Footprint::kTop));
     leave_at_ = travelled + kPatience * unseen * ground.wanted_m2() / swath + kPatienceMore;
   }
   const bool is_done = unseen <= 1.0 - kDoneShare;

@@ -55,14 +55,13 @@ FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& regio
 }
 
 SurveyTour FittedInside(const SurveyTour& tour, const Region& region, Meters turn_radius) {
-  constexpr double kCut = 0.25;  // [m]
   SurveyTour fitted;
   for (Pass pass : tour) {
-    while (pass.length > kCut && !HasRoom(pass.Reversed().out(), region, turn_radius)) {
-      pass = {.in = Advance(pass.in, 0.0, kCut), .length = pass.length - kCut};
+    while (pass.length > kPassCut && !HasRoom(pass.Reversed().out(), region, turn_radius)) {
+      pass = {.in = Advance(pass.in, 0.0, kPassCut), .length = pass.length - kPassCut};
     }
-    while (pass.length > kCut && !HasRoom(pass.out(), region, turn_radius))
-      pass.length -= kCut;
+    while (pass.length > kPassCut && !HasRoom(pass.out(), region, turn_radius))
+      pass.length -= kPassCut;
     if (HasRoom(pass.out(), region, turn_radius) && IsInside(pass, region)) fitted.push_back(pass);
   }
   return fitted;

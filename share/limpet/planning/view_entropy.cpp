@@ -90,7 +90,7 @@ ObjectEntropy ObjectEntropyOf(std::span<const Pose2> views, const Ground& ground
       }
       if (object.looks > 0) {
         entropy.seen += kVoxelsPerObject * Entropy(object.posterior.present());
-      } else if (object.prior_id) {
+      } else if (object.former_id) {
         entropy.inherited += kVoxelsPerObject * MinusPLogP(object.posterior.present());
       }
     }

@@ -11,10 +11,6 @@
 namespace limpet {
 namespace {
 
-/// Samples drawn per node of the budget before the tree stays as small as it is (Algorithm 3
-/// recurses without bound when it is trapped at the border).
-constexpr int kDrawsPerNode = 20;
-
 struct View {
   DubinsPath edge;  ///< from the parent; its end is the view
   int parent = -1;

@@ -87,8 +87,8 @@ void CheckCells(const MissionReading& reading, const SurveyFacts& survey, Missio
                                  kGridCell_m, kGridCell_m)));
   }
   const Footprint footprint = survey.footprint();
-  constexpr int kTop = Footprint::kLayers - 1;
-  const double image = 2.0 * std::min(footprint.half_across(kTop), footprint.half_along(kTop));
+  const double image =
+      2.0 * std::min(footprint.half_across(Footprint::kTop), footprint.half_along(Footprint::kTop));
   if (cell->number() > 0.5 * image) {
     found.geometry.push_back(cell->Refuse(fmt::format(
         "a cell of {:g} m is too large for an image of {:.2f} m at the top of the band; "

@@ -43,8 +43,8 @@ bool SeesTheBand(const MissionReading& reading, const SurveyFacts& survey, Missi
     return false;
   }
   const Footprint footprint = survey.footprint();
-  constexpr int kTop = Footprint::kLayers - 1;
-  if (footprint.half_across(kTop) <= 0.0 || footprint.half_along(kTop) <= 0.0) {
+  if (footprint.half_across(Footprint::kTop) <= 0.0 ||
+      footprint.half_along(Footprint::kTop) <= 0.0) {
     found.geometry.push_back(survey.band.Refuse(fmt::format(
         "{:g} m below the camera the image is too small to hold an object; allowed: lower objects, "
         "a higher altitude_m or a wider camera",

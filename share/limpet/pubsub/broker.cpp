@@ -10,6 +10,7 @@
 #include "limpet/pubsub/broker_session.hpp"
 #include "limpet/pubsub/wildcard_text.hpp"
 #include "limpet/wire/little_endian.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
 namespace {
@@ -299,7 +300,7 @@ void Broker::Append(Session& session, Router::Variable variable, const WireMessa
 
 void Broker::SendLatest(Session& session, Router::Variable variable) {
   WireMessage latched = *LatestOf(variable);
-  latched.id = -1;
+  latched.id = message_id::kLatest;
   latched.number2 = -1.0;
   // Only the payload that the type names, whatever else the publisher sent along.
   if (latched.data_type == wire_data::kDouble) {

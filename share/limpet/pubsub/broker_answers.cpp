@@ -5,13 +5,9 @@
 #include "limpet/pubsub/broker.hpp"
 #include "limpet/pubsub/broker_session.hpp"
 #include "limpet/pubsub/broker_status.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
-namespace {
-
-constexpr std::int32_t kAnswerId = -2;
-
-}  // namespace
 
 void Broker::Answer(Session& session, const WireMessage& request, Seconds now) {
   const auto asks_for = [&request](std::string_view what) {
@@ -19,7 +15,7 @@ void Broker::Answer(Session& session, const WireMessage& request, Seconds now) {
   };
   const auto answer = [&](std::string_view key, Seconds time, const std::string& text) {
     Append(session, Outbox::kNoVariable,
-           {.id = kAnswerId,
+           {.id = message_id::kAnswer,
             .data_type = wire_data::kString,
             .source = source_,
             .key = key,
@@ -52,7 +48,7 @@ void Broker::AnswerAll(Session& session) {
       answer.time = (info.written - started_).value();
     }
     answer.number2 = WriteFrequency(info, started_);
-    answer.id = kAnswerId;
+    answer.id = message_id::kAnswer;
     answer.key = info.name;
     Append(session, Outbox::kNoVariable, answer);
   }

@@ -2,12 +2,10 @@
 #include "limpet/pubsub/client_clock.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <unistd.h>
-
 #include "limpet/core/clock.hpp"
+#include "limpet/core/host_name.hpp"
 
 namespace limpet {
 namespace {
@@ -19,11 +17,6 @@ constexpr double kMostWarp = 1000.0;
 constexpr double kLargestStep = 0.1;
 /// Two clocks of one machine agree better than that [s]; else they only share its name.
 constexpr double kSameClock = 5.0;
-
-std::string HostName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 /// The warp of a broker whose clock shows `time`, if both machines know the date to some days.
 std::optional<double> WarpOf(double time) {
@@ -84,7 +77,7 @@ void ClientClock::TakeWelcome(const WireMessage& welcome, bool learns_warp) {
   const std::optional<double> ahead = AheadOnThisMachine(welcome.source_aux);
   const bool is_shared =
       ahead && std::abs(welcome.time / warp() - *ahead - VehicleTime().value()) < kSameClock;
-  corrects_ = !is_shared && welcome.source_aux != "hostname=" + HostName();
+  corrects_ = !is_shared && welcome.source_aux != "hostname=" + HostName().value_or("");
   skew_ = is_shared ? *ahead * warp() : corrects_ ? skew : 0.0;
   latest_ = kLongAgo;
 }

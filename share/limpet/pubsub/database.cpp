@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "limpet/wire/message_id.hpp"
+
 namespace limpet {
 
 Database::Database(std::string community) : community_(std::move(community)) {}
@@ -22,7 +24,7 @@ void Database::Disconnect(Client client) {
 
 void Database::SendLatest(Client client, Router::Variable variable) {
   Message latched = *latest_[variable];
-  latched.id = -1;
+  latched.id = message_id::kLatest;
   mail_[client].push_back(std::make_shared<const Message>(std::move(latched)));
 }
 

@@ -6,6 +6,7 @@
 #include "limpet/core/clock.hpp"
 #include "limpet/pubsub/tcp_client_impl.hpp"
 #include "limpet/pubsub/wildcard_text.hpp"
+#include "limpet/wire/message_id.hpp"
 
 namespace limpet {
 namespace {
@@ -55,7 +56,7 @@ void TcpClient::Impl::SubscribeWildcard(const WildcardFilter& filter) {
 
 void TcpClient::Impl::Request(std::string_view what) {
   const std::lock_guard lock(mutex_);
-  Queue({.id = -2,
+  Queue({.id = message_id::kAnswer,
          .type = wire_type::kRequest,
          .data_type = wire_data::kString,
          .source = options_.name,

@@ -15,6 +15,7 @@
 
 #include "limpet/core/harmless_text.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/logbook/log_name.hpp"
 #include "limpet/recordings/place_columns.hpp"
 
 namespace limpet {
@@ -122,20 +123,15 @@ Error NoEntries(const AlogReader& reader, const std::string& file) {
                            file, reader.skipped_lines(), why)};
 }
 
-bool IsLogName(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".alog") || name.ends_with(".alog.gz");
-}
-
 /// In the order of their names.
 std::vector<fs::path> LogsOf(const fs::path& named) {
   std::error_code error;
   if (fs::is_regular_file(named, error)) {
-    return IsLogName(named) ? std::vector<fs::path>{named} : std::vector<fs::path>();
+    return IsAlogName(named) ? std::vector<fs::path>{named} : std::vector<fs::path>();
   }
   std::vector<fs::path> logs;
   for (const fs::directory_entry& entry : fs::directory_iterator(named, error)) {
-    if (entry.is_regular_file(error) && IsLogName(entry.path())) logs.push_back(entry.path());
+    if (entry.is_regular_file(error) && IsAlogName(entry.path())) logs.push_back(entry.path());
   }
   std::ranges::sort(logs);
   return logs;

@@ -45,7 +45,7 @@ Recording RecordingOf(const SensorStream& stream, const std::string& name) {
   if (recording.pings.empty()) lack("DVL", "no velocity: no track can be reckoned");
   if (recording.depths.empty()) lack("depth", "nothing tells the vehicle's depth");
   if (!Holds<FrameRow>(stream)) lack("camera frames", "no object can be placed");
-  if (!Holds<GpsRow>(stream)) lack("position fixes", "the track counts from where it begins");
+  if (!Holds<PositionFix>(stream)) lack("position fixes", "the track counts from where it begins");
   if (stream.refused_rows > 0) {
     recording.left_out.push_back(
         fmt::format("{} rows that held a value that is no finite number", stream.refused_rows));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/figures/chart_layout.hpp"
 #include "limpet/figures/map_axes.hpp"
 #include "limpet/figures/map_symbols.hpp"
 #include "limpet/figures/palette.hpp"
@@ -18,10 +19,8 @@ using Point = SvgCanvas::Point;
 
 constexpr Paint kOnline{.stroke = palette::kBlue, .width = 1.3};
 constexpr Paint kDeadReckoning{.stroke = palette::kVermillion, .width = 1.4, .dash = "6 4"};
-constexpr Paint kBounds{.fill = palette::kSky, .opacity = 0.3};
 constexpr Paint kTrack{.stroke = palette::kMapInk, .width = 1.5};
 constexpr Paint kEllipse{.fill = palette::kOrange, .stroke = palette::kVermillion, .opacity = 0.35};
-constexpr double kLeft = 76.0, kWidth = 814.0;
 
 /// Places in the smoothed track, for times that ascend.
 class SmoothedTrack {
@@ -97,17 +96,18 @@ std::string NavErrorPlot(const ReplayResult& result, const std::string& name) {
   const Differences reckoned = DifferencesOf(result.reckoned, result);
   constexpr double kPanel = 128.0, kGap = 20.0, kTop = 92.0;
   constexpr const char* kAxes[] = {"north [m]", "east [m]", "down [m]"};
-  SvgCanvas canvas(kLeft + kWidth + 24.0, kTop + 3.0 * (kPanel + kGap) + 40.0, "Online estimate");
-  canvas.Text({kLeft, 24.0}, "Estimate as known at the time, less what is known at the end",
+  SvgCanvas canvas(chart::kLeft + chart::kWidth + 24.0, kTop + 3.0 * (kPanel + kGap) + 40.0,
+                   "Online estimate");
+  canvas.Text({chart::kLeft, 24.0}, "Estimate as known at the time, less what is known at the end",
               {.size = 16.0, .is_bold = true});
-  canvas.Text({kLeft, 44.0},
+  canvas.Text({chart::kLeft, 44.0},
               fmt::format("{} \u00b7 {} poses, {} objects \u00b7 no truth is read", name,
                           result.smoothed.size(), result.landmarks.size()),
               {.size = 12.5, .fill = palette::kMuted});
-  DrawKey(canvas, {kLeft, 71.0}, "estimate", kOnline);
-  DrawKey(canvas, {kLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
-  canvas.Rect({kLeft + 280.0, 65.0}, {26.0, 12.0}, kBounds);
-  canvas.Text({kLeft + 313.0, 75.0}, "\u00b13 standard deviations, as the estimator says");
+  DrawKey(canvas, {chart::kLeft, 71.0}, "estimate", kOnline);
+  DrawKey(canvas, {chart::kLeft + 120.0, 71.0}, "dead reckoning", kDeadReckoning);
+  canvas.Rect({chart::kLeft + 280.0, 65.0}, {26.0, 12.0}, chart::kBounds);
+  canvas.Text({chart::kLeft + 313.0, 75.0}, "\u00b13 standard deviations, as the estimator says");
   for (int i = 0; i < 3; ++i) {
     std::vector<double> low, high;
     for (const Eigen::Matrix3d& covariance : result.online_covariance_W) {
@@ -116,15 +116,15 @@ std::string NavErrorPlot(const ReplayResult& result, const std::string& name) {
     }
     const double reach = 1.1 * std::max({Reach(online.axis[i], 0.05), Reach(high, 0.05),
                                          i < 2 ? Reach(reckoned.axis[i], 0.05) : 0.05});
-    PlotAxes axes(canvas, {.corner = {kLeft, kTop + i * (kPanel + kGap)},
-                           .size = {kWidth, kPanel},
+    PlotAxes axes(canvas, {.corner = {chart::kLeft, kTop + i * (kPanel + kGap)},
+                           .size = {chart::kWidth, kPanel},
                            .x = {0.0, std::max(online.minutes.back(), 0.1)},
                            .y = {-reach, reach},
                            .x_label = "time [min]",
                            .y_label = kAxes[i],
                            .has_x_labels = i == 2,
                            .y_ticks = 5});
-    axes.Band(online.minutes, low, high, kBounds);
+    axes.Band(online.minutes, low, high, chart::kBounds);
     axes.Level(0.0, {.stroke = palette::kMuted, .width = 0.8});
     if (i < 2) axes.Curve(reckoned.minutes, reckoned.axis[i], kDeadReckoning);
     axes.Curve(online.minutes, online.axis[i], kOnline);

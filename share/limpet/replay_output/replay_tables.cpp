@@ -53,7 +53,7 @@ std::string MatchesCsv(const std::vector<Landmark>& landmarks) {
 std::string AssociationsCsv(const std::vector<ReplayAssociation>& associations) {
   std::string text = "frame,det,landmark\n";
   for (const ReplayAssociation& a : associations) {
-    text += fmt::format("{},{},{}\n", a.frame, a.detection, a.landmark);
+    text += fmt::format("{},{},{}\n", a.frame, a.detection, a.landmark.value_or(-1));
   }
   return text;
 }

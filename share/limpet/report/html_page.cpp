@@ -22,6 +22,7 @@
 #include "limpet/report/open_change.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
+#include "limpet/report/way_text.hpp"
 #include "limpet/scoring/verdict.hpp"
 
 namespace limpet {
@@ -30,10 +31,6 @@ namespace {
 std::string Title(std::string name) {
   if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return EscapedMarkup(name);
-}
-
-std::string Metres(const std::optional<double>& metres) {
-  return metres ? fmt::format("{:.0f} m", *metres) : "never";
 }
 
 std::string Place(const Eigen::Vector3d& p) {
@@ -62,12 +59,12 @@ std::string TruthCards(const SessionScore& session) {
     const auto level = std::find_if(levels.begin(), levels.end(), [&](const CoverageLevel& entry) {
       return entry.level == wanted;
     });
-    return level != levels.end() ? Metres(level->path_m) : std::string("never");
+    return level != levels.end() ? WayText(level->path_m) : std::string("never");
   };
   std::string out = Card(way(session.coverage.seabed, 0.95), "of way to see 95 % of the bottom");
   out += Card(way(session.coverage.band, 0.95), "of way to see 95 % of the band of heights");
   if (!session.former.empty()) {
-    out += Card(Metres(session.coverage.prior_opis_seen_path_m),
+    out += Card(WayText(session.coverage.prior_opis_seen_path_m),
                 "until all former objects\u2019 places were seen");
   }
   return out + Card(MetresText(session.nav.position_rmse_m),

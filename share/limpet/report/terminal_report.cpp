@@ -8,6 +8,7 @@
 
 #include "limpet/console/frame.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/figures/probability_text.hpp"
 #include "limpet/report/bound_sentence.hpp"
 #include "limpet/report/current_sentence.hpp"
@@ -18,6 +19,7 @@
 #include "limpet/report/open_change.hpp"
 #include "limpet/report/phase_sentence.hpp"
 #include "limpet/report/water_sentence.hpp"
+#include "limpet/report/way_text.hpp"
 #include "limpet/scoring/verdict.hpp"
 
 namespace limpet {
@@ -47,10 +49,6 @@ class Painter {
   bool has_color_;
 };
 
-std::string Metres(const std::optional<double>& metres) {
-  return metres ? fmt::format("{:.0f} m", *metres) : "never";
-}
-
 std::string Place(const std::optional<Eigen::Vector3d>& p_W) {
   if (!p_W) return fmt::format("{:>7} {:>7} {:>7}", "-", "-", "-");
   return fmt::format("{:7.2f} {:7.2f} {:7.2f}", p_W->x(), p_W->y(), p_W->z());
@@ -66,9 +64,7 @@ std::string Heading(const SessionScore& session, const Painter& paint) {
                                                              ended, *session.home_error_m)
                                                : ended;
   const bool is_home = session.has_truth ? IsHome(session) : session.ended == "home";
-  std::string name = OneLine(session.name, 64);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  const std::string name = UpperCase(OneLine(session.name, 64));
   return fmt::format("{}  {}   {:.0f} m of way{}, {:.0f} s{}\n", paint.Bold(name),
                      paint.Verdict(is_home, end), session.path_m,
                      session.has_truth ? "" : " by its own estimate", session.duration_s, speed);
@@ -150,7 +146,7 @@ std::string CoverageLine(const std::string& what, const std::vector<CoverageLeve
                          double at_end) {
   std::string out = fmt::format("  {:<34}", what);
   for (const CoverageLevel& level : levels)
-    out += fmt::format(" {:>8}", Metres(level.path_m));
+    out += fmt::format(" {:>8}", WayText(level.path_m));
   return out + fmt::format(" {:>8.1f} %\n", 100.0 * at_end);
 }
 
@@ -164,7 +160,7 @@ std::string CoverageTable(const SessionScore& session, const ReportSettings& set
                       session.coverage.band, session.coverage.detected_band);
   if (!session.former.empty()) {
     out += fmt::format("  {:<34} {:>8}\n", "all former objects' places seen",
-                       Metres(session.coverage.prior_opis_seen_path_m));
+                       WayText(session.coverage.prior_opis_seen_path_m));
   }
   return out;
 }

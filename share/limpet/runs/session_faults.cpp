@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "limpet/app/host_faults.hpp"
+#include "limpet/core/byte_units.hpp"
 #include "limpet/mission/host_faults_of.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/mission.hpp"
@@ -22,7 +23,6 @@ constexpr std::string_view kAppDown = "app_down", kClockStepped = "clock_stepped
                            kDiskLow = "disk_low", kMemory = "memory", kProcessor = "processor",
                            kSlowPlanner = "slow_planner";
 constexpr const char* kHelm = "pHelm";
-constexpr double kBytesOfMib = 1024.0 * 1024.0;
 
 }  // namespace
 
@@ -74,7 +74,7 @@ void SessionFaults::Switch(std::size_t index, EmbeddedCommunity& community) {
     community.Poke(topics::kLaunchProcessor.name, TopicCodec<ProcessorLoad>::Encode(load));
   } else if (fault.what == kDiskLow) {
     community.LimitDisk(is_active_[index]
-                            ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesOfMib))
+                            ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesPerMib))
                             : std::nullopt);
   } else if (fault.what == kClockStepped) {
     ++clock_steps_;

@@ -2,7 +2,6 @@
 #include "limpet/safety_trials/trial_prop.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/runs/mission_check.hpp"
 #include "limpet/survey/mission_area.hpp"
@@ -54,12 +54,7 @@ void AddZone(MissionFile& mission, const TrialPlaces& places) {
 
 }  // namespace
 
-std::string WordOf(SafetyPhase phase) {
-  std::string word(NameOf(phase));
-  std::ranges::transform(word, word.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return word;
-}
+std::string WordOf(SafetyPhase phase) { return UpperCase(NameOf(phase)); }
 
 void AddLine(MissionFile& mission, std::string_view app, ConfigEntry line) {
   const auto block = std::ranges::find_if(mission.blocks, [app](const ConfigBlock& candidate) {

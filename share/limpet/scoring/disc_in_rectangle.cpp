@@ -32,13 +32,13 @@ double AreaLeftOfAndBelow(double p, double q) {
 
 }  // namespace
 
-double ShareOfDiscInRectangle(const Eigen::Vector2d& center, double radius,
-                              const Eigen::Vector2d& half_size) {
-  const Eigen::Array2d off = center.array().abs();
-  if ((off + radius <= half_size.array()).all()) return 1.0;
-  if ((off - radius >= half_size.array()).any()) return 0.0;
-  const Eigen::Vector2d low = (-half_size - center) / radius;
-  const Eigen::Vector2d high = (half_size - center) / radius;
+double ShareOfDiscInRectangle(const Eigen::Vector2d& center_R, double radius,
+                              const Eigen::Vector2d& half_size_R) {
+  const Eigen::Array2d off = center_R.array().abs();
+  if ((off + radius <= half_size_R.array()).all()) return 1.0;
+  if ((off - radius >= half_size_R.array()).any()) return 0.0;
+  const Eigen::Vector2d low = (-half_size_R - center_R) / radius;
+  const Eigen::Vector2d high = (half_size_R - center_R) / radius;
   const double area = AreaLeftOfAndBelow(high.x(), high.y()) -
                       AreaLeftOfAndBelow(low.x(), high.y()) -
                       AreaLeftOfAndBelow(high.x(), low.y()) + AreaLeftOfAndBelow(low.x(), low.y());

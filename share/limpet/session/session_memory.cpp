@@ -9,6 +9,7 @@
 #include "limpet/core/record.hpp"
 #include "limpet/session/former_views.hpp"
 #include "limpet/session/frames_csv.hpp"
+#include "limpet/session/landmark_rows.hpp"
 
 namespace limpet {
 namespace {
@@ -27,18 +28,6 @@ constexpr const char* kWater = "water.json";
 constexpr const char* kMap = "map.ot";
 constexpr const char* kDepths = "depths.csv";
 constexpr std::string_view kMission = "mission/";
-
-/// The rows of `joint` that belong to these landmarks; empty if one of them is not in it.
-Eigen::MatrixXd JointOf(const std::vector<int>& landmarks, const LandmarkJoint& joint) {
-  std::vector<Eigen::Index> rows;
-  for (const int landmark : landmarks) {
-    const auto found = std::ranges::find(joint.ids, landmark);
-    if (found == joint.ids.end()) return {};
-    const Eigen::Index first = 3 * (found - joint.ids.begin());
-    rows.insert(rows.end(), {first, first + 1, first + 2});
-  }
-  return joint.cov_W(rows, rows);
-}
 
 const std::string* Find(const SessionFiles& files, const char* name) {
   const auto found = files.find(name);
@@ -189,7 +178,7 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
   }
   if (memory.water) prior.water = memory.water->estimate;
   prior.obstacles = memory.obstacles.obstacles;
-  prior.joint_cov_W = JointOf(landmarks, memory.landmarks);
+  prior.joint_cov_W = CovarianceOf(landmarks, memory.landmarks).value_or(Eigen::MatrixXd());
   AddFormerViews(memory, landmarks, prior);
   return prior;
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/shapes/visual_hints.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include "limpet/core/config.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/number_text.hpp"
 
 namespace limpet {
@@ -14,9 +12,7 @@ bool VisualHints::Add(std::string_view line) {
   for (const std::string& part : Split(line, ',')) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) return false;
-    std::string name(Trim(std::string_view(part).substr(0, equals)));
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::string name = LowerCase(Trim(std::string_view(part).substr(0, equals)));
     const std::string value(Trim(std::string_view(part).substr(equals + 1)));
     if (name.empty() || value.empty()) return false;
     constexpr std::string_view kShort = "lcolor";

@@ -2,13 +2,18 @@
 // What a scenario may say of how its pictures come about. The models are in share/limpet/imaging.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "limpet/core/key_section.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
+
+/// What may cover the seabed of a picture.
+inline constexpr std::array kSeabedKinds{"sand", "gravel", "rock", "seagrass", "mixed"};
 
 struct ImageParams {
   std::string look = "plain";
@@ -80,7 +85,7 @@ struct ImageParams {
 
     template <class V>
     void Describe(V& visit) {
-      visit.Choice("kind", kind, "What covers it", {"sand", "gravel", "rock", "seagrass", "mixed"});
+      visit.Choice("kind", kind, "What covers it", {kSeabedKinds.begin(), kSeabedKinds.end()});
       visit("shading", shading, "Steepness of its small forms, over that of the kind",
             InRange(0.0, 3.0));
     }
@@ -143,13 +148,8 @@ struct ImageParams {
   } sensor;
 };
 
-/// A section of `image:` in scenario.yaml with its keys as declared; "" is `image:` itself.
-struct ImageSection {
-  std::string name;
-  std::vector<ParamSpec> keys;
-};
-/// The keys store into `image`.
-[[nodiscard]] inline std::vector<ImageSection> ImageSections(ImageParams& image) {
+/// Of `image:` in scenario.yaml; "" is `image:` itself. The keys store into `image`.
+[[nodiscard]] inline std::vector<KeySection> ImageSections(ImageParams& image) {
   return {{"", DescribeParams(image)},
           {"water", DescribeParams(image.water)},
           {"light", DescribeParams(image.light)},

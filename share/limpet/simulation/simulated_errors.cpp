@@ -7,7 +7,7 @@ namespace limpet {
 namespace {
 
 template <class... Params>
-ErrorSection Section(std::string name, Params&... params) {
+KeySection Section(std::string name, Params&... params) {
   ParamCollector keys;
   (params.Describe(keys), ...);
   return {std::move(name), keys.specs()};
@@ -15,7 +15,7 @@ ErrorSection Section(std::string name, Params&... params) {
 
 }  // namespace
 
-std::vector<ErrorSection> ErrorSections(SimulatedErrors& errors) {
+std::vector<KeySection> ErrorSections(SimulatedErrors& errors) {
   auto& [camera, imu, fog, dvl, depth, gps, thrusters, battery] = errors;
   return {Section("camera", camera.mounting, camera.shutter, camera.stamps),
           Section("imu", imu.sheet, imu.gyro, imu.compass, imu.stamps),

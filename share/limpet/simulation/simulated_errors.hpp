@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "limpet/core/key_section.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/simulation/battery_error.hpp"
 #include "limpet/simulation/beam_error.hpp"
@@ -59,12 +60,7 @@ struct SimulatedErrors {
   BatteryErrorParams battery;
 };
 
-/// A section of `errors:` in scenario.yaml with its keys as declared.
-struct ErrorSection {
-  std::string name;
-  std::vector<ParamSpec> keys;
-};
-/// The keys store into `errors`.
-[[nodiscard]] std::vector<ErrorSection> ErrorSections(SimulatedErrors& errors);
+/// Of `errors:` in scenario.yaml. The keys store into `errors`.
+[[nodiscard]] std::vector<KeySection> ErrorSections(SimulatedErrors& errors);
 
 }  // namespace limpet

@@ -135,12 +135,6 @@ SimplePolygon SimplePolygon::Box(const PlanePoint& low, const PlanePoint& high) 
   return SimplePolygon({low, {low.x(), high.y()}, high, {high.x(), low.y()}});
 }
 
-bool SimplePolygon::IsReflex(std::size_t i) const {
-  const PlanePoint& before = corners_[i > 0 ? i - 1 : size() - 1];
-  const PlanePoint& after = corners_[i + 1 < size() ? i + 1 : 0];
-  return CrossOf(corners_[i] - before, after - corners_[i]) < 0.0;
-}
-
 bool SimplePolygon::Contains(const PlanePoint& at) const {
   bool is_inside = false;
   for (std::size_t i = 0, j = size() - 1; i < size(); j = i++) {

@@ -37,8 +37,6 @@ class SimplePolygon {
   [[nodiscard]] PlaneEdge Edge(std::size_t i) const {
     return {corners_[i], corners_[i + 1 < size() ? i + 1 : 0]};
   }
-  /// The corner of this index points into the polygon.
-  [[nodiscard]] bool IsReflex(std::size_t i) const;
   [[nodiscard]] bool Contains(const PlanePoint& at) const;
   /// Distance to the border [m]; negative outside.
   [[nodiscard]] double Depth(const PlanePoint& at) const;

@@ -331,14 +331,6 @@ Coverage SurveyGrid::coverage() const {
   return {.seabed = sum.bottom / count, .band = sum.band / count, .band_top = sum.top / count};
 }
 
-std::vector<float> SurveyGrid::Heights() const {
-  std::vector<float> heights(
-      static_cast<std::size_t>(frame_.rows) * static_cast<std::size_t>(frame_.columns), kNeverSeen);
-  cells_.EachCell(
-      [&](int row, int column, const Cell& cell) { heights[Index(row, column)] = cell.seen; });
-  return heights;
-}
-
 std::optional<double> SurveyGrid::SeenHeight(int row, int column) const {
   LIMPET_REQUIRE(Holds(row, column), "cell outside the survey grid");
   const float height = cells_.At(row, column).seen;

@@ -118,8 +118,6 @@ class SurveyGrid {
     const Cell& cell = cells_.At(row, column);
     return {.height = cell.seen, .floor = FloorOf(cell)};
   }
-  /// Raw heights row by row, `kNeverSeen` where never seen: as many as the area has cells.
-  [[nodiscard]] std::vector<float> Heights() const;
   /// Increases with every change; mirrors compare it to know whether they are stale.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 

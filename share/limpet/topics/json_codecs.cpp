@@ -97,7 +97,7 @@ ObjectEstimate EstimateFrom(const nlohmann::json& in) {
 /// below 1.
 void to_json(nlohmann::json& out, const Landmark& landmark) {
   out = {{"id", landmark.id},
-         {"looks", landmark.looks},
+         {"looks", landmark.detections},
          {"is_confirmed", landmark.is_confirmed},
          {"prior_id", landmark.former_id.value_or(kNoId)}};
   if (landmark.former_id && landmark.former_probability < 1.0) {
@@ -112,7 +112,7 @@ void to_json(nlohmann::json& out, const Landmark& landmark) {
 void from_json(const nlohmann::json& in, Landmark& landmark) {
   landmark = {.id = in.at("id"),
               .object = EstimateFrom(in),
-              .looks = in.at("looks"),
+              .detections = in.at("looks"),
               .is_confirmed = in.at("is_confirmed"),
               .former_id = IdFrom(in.at("prior_id")),
               .former_probability = in.value("prior_p", 1.0)};
@@ -141,7 +141,7 @@ void from_json(const nlohmann::json& in, LandmarkJoint& joint) {
 void to_json(nlohmann::json& out, const OpiBelief& opi) {
   out = {{"id", opi.id},
          {"landmark", opi.landmark.value_or(kNoId)},
-         {"prior_id", opi.prior_id.value_or(kNoId)},
+         {"prior_id", opi.former_id.value_or(kNoId)},
          {"centroid", TripleOf(opi.centroid_W)},
          {"centroid_sd", TripleOf(opi.centroid_sd)},
          {"probability", opi.posterior.present()},
@@ -158,7 +158,7 @@ void from_json(const nlohmann::json& in, OpiBelief& opi) {
   opi = {
       .id = in.at("id"),
       .landmark = IdFrom(in.at("landmark")),
-      .prior_id = IdFrom(in.at("prior_id")),
+      .former_id = IdFrom(in.at("prior_id")),
       .object = EstimateFrom(in),
       .log_likelihood_ratio = in.at("log_likelihood_ratio"),
       .looks = in.at("looks"),

@@ -137,9 +137,4 @@ std::string UserName() {
   return user != nullptr ? user->pw_name : std::to_string(::geteuid());
 }
 
-std::string HostName() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
-
 }  // namespace limpet

@@ -61,8 +61,7 @@ struct LiveEvent {
   static constexpr std::size_t kMostUndoable = 50;
 };
 
-/// User and host of this process, as an event names them.
+/// The user of this process, as an event names it.
 [[nodiscard]] std::string UserName();
-[[nodiscard]] std::string HostName();
 
 }  // namespace limpet

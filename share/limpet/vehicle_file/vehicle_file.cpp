@@ -215,7 +215,7 @@ void ReadSections(YamlReader& in, const YAML::Node& root, Reading& reading) {
   std::vector<YamlReader::Field> sections;
   sections.push_back({kBasedOn, [](const YAML::Node&) {}});  // read before
   sections.push_back({"name", [&](const YAML::Node& node) { file.name = ValueText(node); }});
-  for (VehicleFileSection& section : VehicleFileSections(file)) {
+  for (KeySection& section : VehicleFileSections(file)) {
     sections.push_back({section.name, [&, section](const YAML::Node& node) {
                           if (section.name == "battery") file.battery.is_present = true;
                           std::vector<YamlReader::Field> fields =
@@ -288,7 +288,7 @@ std::vector<ParamSpec> CameraKeys(VehicleFile& vehicle) {
 
 }  // namespace
 
-std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
+std::vector<KeySection> VehicleFileSections(VehicleFile& vehicle) {
   SensorSheets& sensors = vehicle.sensors;
   return {{"hull", DescribeParams(vehicle.params)},
           {"thrusters", DescribeParams(vehicle.params.thrusters)},
@@ -305,12 +305,9 @@ std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle) {
 VehicleFile ParseVehicleFile(const std::string& text, const std::string& file) {
   YamlReader in(file);
   VehicleFile vehicle;
-  try {
-    vehicle = ReadVehicle(in, in.OnlyDocument(text), fs::path(file).parent_path());
-  } catch (const YAML::Exception& error) {
-    in.Complain(error.mark.line + 1, "", "not YAML: " + error.msg);
-  }
-  if (!in.problems().empty()) throw ConfigError(in.problems());
+  in.ReadDocument(text, [&](const YAML::Node& root) {
+    vehicle = ReadVehicle(in, root, fs::path(file).parent_path());
+  });
   return vehicle;
 }
 

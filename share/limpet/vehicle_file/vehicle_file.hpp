@@ -9,6 +9,7 @@
 
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/core/key_section.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/vehicle/battery_sheet.hpp"
@@ -39,11 +40,7 @@ struct VehicleFile {
 [[nodiscard]] VehicleFile LoadMissionVehicle(const std::string& named,
                                              const std::filesystem::path& mission_folder);
 
-/// A section of the file with its keys as declared: the reader's and the documentation's source.
-struct VehicleFileSection {
-  std::string name;
-  std::vector<ParamSpec> keys;
-};
-[[nodiscard]] std::vector<VehicleFileSection> VehicleFileSections(VehicleFile& vehicle);
+/// Sections of the file: the reader's and the documentation's source.
+[[nodiscard]] std::vector<KeySection> VehicleFileSections(VehicleFile& vehicle);
 
 }  // namespace limpet

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "limpet/core/logistic.hpp"
+
 namespace limpet {
 namespace {
-
-double Logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 
 /// What a paint is taken for when it is taken for another.
 std::string_view MistakenFor(std::string_view color) {

@@ -6,6 +6,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/core/require.hpp"
+#include "limpet/vision/seabed_ray.hpp"
 #include "limpet/vision/sphere_painter.hpp"
 
 namespace limpet {
@@ -79,12 +80,8 @@ SceneRenderer::SceneRenderer(const SceneSettings& settings)
       water_(WaterOptics::OfVisibility(settings.visibility_m)),
       texture_(settings.seabed_seed),
       relief_(settings.seabed_depth),
-      columns_(static_cast<std::size_t>((settings.camera.width_px + kBlock - 1) / kBlock + 1)),
-      rows_(static_cast<std::size_t>((settings.camera.height_px + kBlock - 1) / kBlock + 1)),
-      nodes_(columns_ * rows_ * kLayers),
-      places_(columns_ * rows_),
-      row_values_(columns_ * kLayers),
-      brightness_(columns_ * kBlock),
+      corners_(settings.camera, kLayers),
+      brightness_(corners_.columns() * kBlock),
       tone_curve_(ToneCurve()),
       noise_(
           NoiseTable(settings.noise_seed, 3 * static_cast<std::size_t>(settings.camera.width_px))) {
@@ -105,23 +102,15 @@ void SceneRenderer::FillNode(const View& view, int column, int row, double& dist
   const double v = row * kBlock;
   const Eigen::Vector3d ray =
       view.R_WC * Eigen::Vector3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
-  // Newton steps from the neighbour's distance (in units of the ray) to the relief.
   constexpr double kFarthest = 60.0;
-  SeabedRelief::Surface ground;
-  for (int step = 0; step < 2; ++step) {
-    const Eigen::Vector3d p = view.p_W + distance * ray;
-    ground = relief_.At(p.x(), p.y());
-    const double closing = ray.z() - ground.slope_north * ray.x() - ground.slope_east * ray.y();
-    distance = closing > 0.02 ? distance + (ground.depth - p.z()) / closing : kFarthest;
-    distance = std::clamp(distance, 0.05, kFarthest);
-  }
-  const Eigen::Vector3d p = view.p_W + distance * ray;
-  places_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)] =
-      Eigen::Vector2f(static_cast<float>(p.x() - view.p_W.x()),
-                      static_cast<float>(p.y() - view.p_W.y()));
+  const auto [p, ground] = SeabedRays(relief_, view.p_W, kFarthest).Meet(ray, distance);
+  corners_.place(column, row) = Eigen::Vector2f(static_cast<float>(p.x() - view.p_W.x()),
+                                                static_cast<float>(p.y() - view.p_W.y()));
   constexpr double kQ8PerMeter = 256.0 * SeabedTexture::kTexelsPerMeter;
-  node(kAcross, column, row) = static_cast<float>((p.y() - view.origin_east) * kQ8PerMeter);
-  node(kAlong, column, row) = static_cast<float>((p.x() - view.origin_north) * kQ8PerMeter);
+  corners_.node(kAcross, column, row) =
+      static_cast<float>((p.y() - view.origin_east) * kQ8PerMeter);
+  corners_.node(kAlong, column, row) =
+      static_cast<float>((p.x() - view.origin_north) * kQ8PerMeter);
   // Relief is lit from the south-west; patches of weed are darker and greener.
   const double relief = 1.0 + 0.8 * ground.slope_north + 0.5 * ground.slope_east;
   const float weed = 0.6F * PatchNoise(p.x() / 2.7, p.y() / 2.7, settings_.seabed_seed) +
@@ -133,22 +122,15 @@ void SceneRenderer::FillNode(const View& view, int column, int row, double& dist
     const auto i = static_cast<std::size_t>(c);
     const auto left_over = static_cast<float>(std::exp(-water_.attenuation_per_m[i] * range));
     const auto light = static_cast<float>(water_.illumination[i] * std::clamp(relief, 0.4, 1.6));
-    node(static_cast<Layer>(kGain + c), column, row) =
-        light * vignette * left_over * (1.0F + kWeed[i] * weed);
-    node(static_cast<Layer>(kVeil + c), column, row) =
+    corners_.node(kGain + c, column, row) = light * vignette * left_over * (1.0F + kWeed[i] * weed);
+    corners_.node(kVeil + c, column, row) =
         4095.0F * static_cast<float>(water_.veil[i]) * vignette * (1.0F - left_over);
   }
 }
 
 void SceneRenderer::FillNodes(const View& view, std::span<const Sphere> spheres) {
-  double first = 4.0;
-  for (int row = 0; row < static_cast<int>(rows_); ++row) {
-    double distance = first;
-    for (int column = 0; column < static_cast<int>(columns_); ++column) {
-      FillNode(view, column, row, distance);
-      first = column == 0 ? distance : first;
-    }
-  }
+  corners_.EachCorner(
+      [&](int column, int row, double& distance) { FillNode(view, column, row, distance); });
   for (const Sphere& sphere : spheres) {
     DropShadow(view, sphere);
   }
@@ -166,37 +148,19 @@ void SceneRenderer::DropShadow(const View& view, const Sphere& sphere) {
   const auto darkness =
       static_cast<float>(0.55 * sphere.radius * sphere.radius / (spread * spread));
   const auto reach2 = static_cast<float>(spread * spread);
-  for (int row = 0; row < static_cast<int>(rows_); ++row) {
-    for (int column = 0; column < static_cast<int>(columns_); ++column) {
-      const Eigen::Vector2f& place =
-          places_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
-      const float distance2 = (place - center).squaredNorm();
-      if (distance2 < 5.0F * reach2) {
-        const float light = 1.0F - darkness * std::exp(-distance2 / reach2);
-        for (int c = 0; c < 3; ++c) {
-          node(static_cast<Layer>(kGain + c), column, row) *= light;
-        }
-      }
-    }
-  }
+  corners_.Dim(kGain, center, [&](float distance2) {
+    return distance2 < 5.0F * reach2 ? 1.0F - darkness * std::exp(-distance2 / reach2) : 1.0F;
+  });
 }
 
-/// Interpolates the nodes' layers to a row and reads the texture along it.
+/// Reads the texture along a row.
 void SceneRenderer::SampleSeabedRow(int row) {
-  const auto upper = static_cast<std::size_t>(row / kBlock) * kLayers * columns_;
-  const float low = (static_cast<float>(row % kBlock) + 0.5F) / kBlock;
-  for (std::size_t i = 0; i < row_values_.size(); ++i) {
-    const float above = nodes_[upper + i];
-    row_values_[i] = above + low * (nodes_[upper + kLayers * columns_ + i] - above);
-  }
-  const float* across = &row_values_[kAcross * columns_];
-  const float* along = &row_values_[kAlong * columns_];
-  for (std::size_t block = 0; block + 1 < columns_; ++block) {
+  corners_.TakeRow(row);
+  const float* across = corners_.at_row(kAcross);
+  const float* along = corners_.at_row(kAlong);
+  for (std::size_t block = 0; block + 1 < corners_.columns(); ++block) {
     // Four more bits for the steps inside the block.
-    const auto step_u = static_cast<std::int32_t>((across[block + 1] - across[block]) * 2.0F);
-    const auto step_v = static_cast<std::int32_t>((along[block + 1] - along[block]) * 2.0F);
-    std::int32_t u = static_cast<std::int32_t>(across[block] * 16.0F) + step_u / 2;
-    std::int32_t v = static_cast<std::int32_t>(along[block] * 16.0F) + step_v / 2;
+    auto [u, v, step_u, step_v] = corners_.StepsIn(block, across, along, 16.0F);
     float* bright = &brightness_[block * kBlock];
     for (int i = 0; i < kBlock; ++i, u += step_u, v += step_v) {
       bright[i] = static_cast<float>(texture_.Sample(u >> 4, v >> 4));
@@ -205,14 +169,12 @@ void SceneRenderer::SampleSeabedRow(int row) {
 }
 
 void SceneRenderer::ShadeSeabedRow(LinearRow& linear) const {
-  static_assert(kBlock == 8, "the steps inside a block");
-  constexpr std::array<float, kBlock> kStep{0.0625F, 0.1875F, 0.3125F, 0.4375F,
-                                            0.5625F, 0.6875F, 0.8125F, 0.9375F};
+  constexpr std::array<float, kBlock> kStep = CornerGrid::kShare;
   for (std::size_t c = 0; c < 3; ++c) {
-    const float* gains = &row_values_[(kGain + c) * columns_];
-    const float* veils = &row_values_[(kVeil + c) * columns_];
+    const float* gains = corners_.at_row(kGain + c);
+    const float* veils = corners_.at_row(kVeil + c);
     const auto [tone, warmth] = SeabedTexture::kTone[c];
-    for (std::size_t block = 0; block + 1 < columns_; ++block) {
+    for (std::size_t block = 0; block + 1 < corners_.columns(); ++block) {
       const float gain = gains[block];
       const float veil = veils[block];
       const float gain_step = gains[block + 1] - gain;

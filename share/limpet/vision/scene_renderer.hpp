@@ -10,22 +10,16 @@
 
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/vision/corner_grid.hpp"
 #include "limpet/vision/image.hpp"
 #include "limpet/vision/linear_row.hpp"
+#include "limpet/vision/scene_settings.hpp"
 #include "limpet/vision/seabed_relief.hpp"
 #include "limpet/vision/seabed_texture.hpp"
 #include "limpet/vision/sphere.hpp"
 #include "limpet/vision/water_optics.hpp"
 
 namespace limpet {
-
-struct SceneSettings {
-  CameraModel camera;
-  SeabedDepthFunction seabed_depth;  ///< [m] at (north, east) [m]; smooth over 0.25 m
-  double visibility_m = 8.0;
-  std::uint64_t seabed_seed = 1;  ///< of texture and patches: the same place in every session
-  std::uint64_t noise_seed = 1;   ///< of specks and sensor noise
-};
 
 /// Pictures of a rough seabed with spheres through hazy water, from a camera that looks down.
 /// Equal settings, pose, spheres and frame number give equal bytes. Not thread-safe.
@@ -39,9 +33,8 @@ class SceneRenderer {
                              std::uint32_t frame);
 
  private:
-  /// What varies slowly over the image, at the corners of blocks of kBlock pixels: place in the
-  /// texture [1/256 texel], and per channel what is left of the seabed's light and the veil before
-  /// it.
+  /// Of the corners: place in the texture [1/256 texel], and per channel what is left of the
+  /// seabed's light and the veil before it.
   enum Layer { kAcross, kAlong, kGain, kVeil = kGain + 3, kLayers = kVeil + 3 };
   struct View;  // of one frame
 
@@ -53,22 +46,14 @@ class SceneRenderer {
   void AddSpecks(std::uint32_t frame, Image& image) const;
   void Develop(const LinearRow& linear, std::uint64_t counter, std::uint8_t* bgr) const;
   [[nodiscard]] float Vignette(double u, double v) const;
-  [[nodiscard]] float& node(Layer layer, int column, int row) {
-    return nodes_[(static_cast<std::size_t>(row) * kLayers + layer) * columns_ +
-                  static_cast<std::size_t>(column)];
-  }
 
-  static constexpr int kBlock = 8;
+  static constexpr int kBlock = CornerGrid::kBlock;
   SceneSettings settings_;
   WaterOptics water_;
   SeabedTexture texture_;
   SeabedRelief relief_;
-  std::size_t columns_;  ///< nodes per row
-  std::size_t rows_;
-  std::vector<float> nodes_;
-  std::vector<Eigen::Vector2f> places_;  ///< north, east of the nodes [m], relative to the camera
-  std::vector<float> row_values_;        ///< the nodes' layers at the height of one row
-  std::vector<float> brightness_;        ///< of the seabed along one row, 0 to 255
+  CornerGrid corners_;             ///< places are north, east [m], relative to the camera
+  std::vector<float> brightness_;  ///< of the seabed along one row, 0 to 255
   std::vector<std::uint8_t> tone_curve_;
   std::vector<std::int8_t> noise_;
 };

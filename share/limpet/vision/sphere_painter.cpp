@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/vision/water_optics.hpp"
+
 namespace limpet {
 
 std::optional<SpherePainter> SpherePainter::Make(const CameraModel& camera, const Pose& X_WB,
@@ -11,8 +13,6 @@ std::optional<SpherePainter> SpherePainter::Make(const CameraModel& camera, cons
                                                  SeabedRelief& relief) {
   const Eigen::Vector3d p_C = camera.InCamera(X_WB, sphere.p_W);
   const std::optional<SphereImage> image = ImageOfSphere(camera, p_C, sphere.radius);
-  // Beyond twice the visibility no 8-bit image shows it.
-  constexpr double kLeastTransmission = 0.002;
   if (!image || std::exp(-water.attenuation_per_m[1] * image->range) < kLeastTransmission) {
     return std::nullopt;
   }

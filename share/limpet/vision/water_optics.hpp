@@ -7,6 +7,8 @@ namespace limpet {
 
 /// Share of a contrast that is left at the visibility.
 inline constexpr double kContrastAtVisibility = 0.05;
+/// Share of its light below which no 8-bit image shows a thing: beyond twice the visibility.
+inline constexpr double kLeastTransmission = 0.002;
 
 /// How water dims and veils what lies behind it: I = J exp(-c d) + A (1 - exp(-c d)) per channel,
 /// linear light. The visibility is the distance at which the clearest channel, green, keeps 5 % of

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/letter_case.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
@@ -30,7 +31,7 @@ class Measures {
       const std::size_t equals = part.find('=');
       if (equals == std::string::npos) return std::nullopt;
       const std::string_view whole = part;
-      measures.texts_[Lower(Trim(whole.substr(0, equals)))] = Trim(whole.substr(equals + 1));
+      measures.texts_[LowerCase(Trim(whole.substr(0, equals)))] = Trim(whole.substr(equals + 1));
     }
     return measures;
   }
@@ -79,13 +80,6 @@ class Measures {
   }
 
  private:
-  static std::string Lower(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-  }
-
   std::map<std::string, std::string, std::less<>> texts_;
 };
 

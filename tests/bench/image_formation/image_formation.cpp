@@ -89,7 +89,7 @@ void OfPlainLook() {
 }
 
 PictureSettings RealLook(const std::string& seabed) {
-  PictureSettings settings{.camera = {}, .seabed_depth = Depth, .image = {}};
+  PictureSettings settings{.scene = {.camera = {}, .seabed_depth = Depth}, .image = {}};
   settings.image.look = "real";
   settings.image.seabed.kind = seabed;
   return settings;
@@ -152,11 +152,11 @@ void WriteSheet(const std::string& file) {
   shoot(RealLook("seagrass"), 4, 3.0);
   shoot(RealLook("mixed"), 8, 4.0);
   PictureSettings clear = RealLook("mixed");
-  clear.visibility_m = 20.0;
+  clear.scene.visibility_m = 20.0;
   clear.image.water.dissolved = 0.05;
   shoot(clear, 5, 3.0);
   PictureSettings murky = RealLook("mixed");
-  murky.visibility_m = 3.5;
+  murky.scene.visibility_m = 3.5;
   murky.image.water.dissolved = 1.8;
   shoot(murky, 6, 2.0);
   PictureSettings night = RealLook("rock");

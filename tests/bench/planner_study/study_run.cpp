@@ -11,6 +11,7 @@
 #include "limpet/planning/target_tour.hpp"
 #include "limpet/planning/view_entropy.hpp"
 #include "tests/bench/planner_study/study_scorer.hpp"
+#include "tests/support/grid_heights.hpp"
 
 namespace limpet {
 namespace {
@@ -93,7 +94,7 @@ class Flight {
                       .path.length();
     }
     result_.frame = grid_.frame();
-    result_.heights = grid_.Heights();
+    result_.heights = HeightsOf(grid_);
     result_.plan_ms_mean = total_ms_ / std::max(1, decisions_);
     return result_;
   }

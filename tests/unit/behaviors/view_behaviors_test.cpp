@@ -326,7 +326,7 @@ TEST_F(ViewBehaviorTest, ObjectEntropyCountsObjectsInsideTheImageAlone) {
 TEST_F(ViewBehaviorTest, InheritedObjectsCountLessTheMoreIsCovered) {
   const BHV_ReduceObjectEntropy behavior({});
   WatchedObject former = ObjectAt(10.0, 0.0, {.confirmed = 0.6, .removed = 0.4});
-  former.belief.prior_id = 2;
+  former.belief.former_id = 2;
   now_.objects = {former};
   const auto value_at = [&](double covered) {
     now_.coverage.seabed = covered;

@@ -56,7 +56,8 @@ TEST_F(ObjectStatusesBorders, HeightDoesNotKeepLandmarksApart) {
 
 TEST_F(ObjectStatusesBorders, ALandmarkThatIsNotConfirmedIsNone) {
   Fly(0.0, {{At(4.0, 0.5), 1}});
-  statuses_.SetLandmarks({{.id = 1, .object = At(4.0, 0.5), .looks = 9, .is_confirmed = false}});
+  statuses_.SetLandmarks(
+      {{.id = 1, .object = At(4.0, 0.5), .detections = 9, .is_confirmed = false}});
   EXPECT_EQ(statuses_.Representative(1), std::nullopt);
 }
 
@@ -94,7 +95,7 @@ TEST_F(MovedObjects, KeepsTheFormerObjectsIdInItsStory) {
   AfterAMoveOf(2.0);
   const std::vector<OpiBelief> all = statuses_.Assess();
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_EQ(all[0].prior_id, 11);
+  EXPECT_EQ(all[0].former_id, 11);
   EXPECT_EQ(all[0].landmark, 1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field of objects, a vehicle that flies over it, and the book that judges them.
+// A field of objects, a vehicle that flies over it, and the statuses that come of it.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ inline ObjectEstimate At(double north, double east, const std::string& color = "
   return {.p_W = {north, east, 6.0}, .cov_W = 0.04 * Eigen::Matrix3d::Identity(), .color = color};
 }
 
-/// A book and a vehicle that flies north over the field at 3 m above the objects.
+/// Statuses and a vehicle that flies north over the field at 3 m above the objects.
 class ObjectStatusesTest : public ::testing::Test {
  protected:
   struct Real {
@@ -66,7 +66,7 @@ class ObjectStatusesTest : public ::testing::Test {
     for (const Real& real : objects) {
       known.push_back({.id = *real.landmark,
                        .object = real.object,
-                       .looks = 10 - *real.landmark,
+                       .detections = 10 - *real.landmark,
                        .is_confirmed = true,
                        .former_id = real.former_id,
                        .former_candidates = real.candidates});

@@ -65,8 +65,8 @@ TEST_P(RandomField, NoIdIsGivenTwiceAndNoLandmarkNorFormerObjectIsListedTwice) {
     if (belief.landmark.has_value()) {
       EXPECT_TRUE(landmarks.insert(*belief.landmark).second) << "landmark " << *belief.landmark;
     }
-    if (belief.prior_id.has_value()) {
-      EXPECT_TRUE(former.insert(*belief.prior_id).second) << "former " << *belief.prior_id;
+    if (belief.former_id.has_value()) {
+      EXPECT_TRUE(former.insert(*belief.former_id).second) << "former " << *belief.former_id;
     }
   }
 }

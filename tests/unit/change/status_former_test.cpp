@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a book makes of the former session.
+// What statuses make of the former session.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST_F(StatusFormerTest, AFormerObjectThatIsStillThereIsConfirmed) {
   Fly(0.0, {real});
   Landmarks({real});
   ASSERT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));
-  EXPECT_EQ(statuses_.Assess()[0].prior_id, 7);
+  EXPECT_EQ(statuses_.Assess()[0].former_id, 7);
   EXPECT_EQ(statuses_.Assess()[0].landmark, 1);
 }
 
@@ -151,7 +151,7 @@ TEST_F(StatusFormerTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
   for (const ObservedFrame& frame : statuses_.frames())
     again.AddFrame(frame);
   again.SetFormer({Former(7, At(8, 0.0))});
-  again.SetLandmarks({{.id = 1, .object = late.object, .looks = 9, .is_confirmed = true}});
+  again.SetLandmarks({{.id = 1, .object = late.object, .detections = 9, .is_confirmed = true}});
   again.Rejudge();
   const std::vector<OpiBelief> first = statuses_.Assess();
   const std::vector<OpiBelief> second = again.Assess();
@@ -170,7 +170,7 @@ TEST_F(StatusFormerTest, AnObjectThatMovedIsOneStoryNotTwo) {
   Landmarks(now);
   EXPECT_THAT(Decided(),
               ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed, Status::kMoved));
-  EXPECT_EQ(statuses_.Assess().back().prior_id, 7);
+  EXPECT_EQ(statuses_.Assess().back().former_id, 7);
 }
 
 TEST_F(StatusFormerTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
@@ -192,7 +192,7 @@ TEST_F(StatusFormerTest, BelievesTheMatchThatItIsTold) {
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].landmark, std::nullopt);
   EXPECT_EQ(objects[1].landmark, 1);
-  EXPECT_EQ(objects[1].prior_id, 8);
+  EXPECT_EQ(objects[1].former_id, 8);
   EXPECT_EQ(objects[1].decided, Status::kConfirmed);
 }
 
@@ -285,7 +285,7 @@ TEST_F(StatusFormerTest, MatchesWithAnotherFormerSessionSayNothing) {
   const Real real{At(4, 0.5), 1, 99};
   Fly(0.0, {real});
   Landmarks({real});
-  EXPECT_EQ(statuses_.Assess()[0].prior_id, std::nullopt);
+  EXPECT_EQ(statuses_.Assess()[0].former_id, std::nullopt);
   EXPECT_EQ(statuses_.Assess()[0].decided, Status::kNew);
 }
 

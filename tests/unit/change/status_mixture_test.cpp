@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a book says of a landmark that may be a former object with some chance: between what it
+// What is said of a landmark that may be a former object with some chance: between what it
 // says when it is decided one way and the other.
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ std::array<double, 4> Parts(const StatusPosterior& posterior) {
 /// A flight north between a former object's place, where nothing is seen now, and a landmark that
 /// may be that object with `chance`.
 std::vector<OpiBelief> AssessedWith(double chance) {
-  ObjectStatuses book(StatusParams{}, kDownCamera);
+  ObjectStatuses statuses(StatusParams{}, kDownCamera);
   const ObjectEstimate seen = YellowAt(4.0, 1.2);
   FormerViews views{.frames = {},
                     .model = {.camera = kDownCamera, .detection = {}},
@@ -50,15 +50,15 @@ std::vector<OpiBelief> AssessedWith(double chance) {
                              .color = seen.color,
                              .landmark = 1});
     }
-    book.AddFrame(std::move(frame));
+    statuses.AddFrame(std::move(frame));
   }
-  book.SetFormer(
+  statuses.SetFormer(
       {{.id = kFormer, .object = YellowAt(4.0, -0.5), .log_likelihood_ratio = 8.0, .looks = 5}});
-  book.SetFormerViews(std::move(views));
-  Landmark landmark{.id = 1, .object = seen, .looks = 9, .is_confirmed = true};
+  statuses.SetFormerViews(std::move(views));
+  Landmark landmark{.id = 1, .object = seen, .detections = 9, .is_confirmed = true};
   if (chance > 0.0) landmark.former_candidates = {{.id = kFormer, .probability = chance}};
-  book.SetLandmarks({landmark});
-  return book.Assess();
+  statuses.SetLandmarks({landmark});
+  return statuses.Assess();
 }
 
 /// Of the landmark's own entry.

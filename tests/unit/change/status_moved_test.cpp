@@ -38,15 +38,15 @@ TEST_F(StatusMovedTest, TheNearestNewcomerIsTheOneThatMoved) {
   ASSERT_TRUE(OfLandmark(all, 1) && OfLandmark(all, 2));
   EXPECT_EQ(OfLandmark(all, 1)->decided, Status::kNew);
   EXPECT_EQ(OfLandmark(all, 2)->decided, Status::kMoved);
-  EXPECT_EQ(OfLandmark(all, 2)->prior_id, 11);
+  EXPECT_EQ(OfLandmark(all, 2)->former_id, 11);
 }
 
 TEST_F(StatusMovedTest, TwoThatMovedAreEachPairedWithItsOwn) {
   const auto all =
       After({Former(11, At(2.0, 0.0)), Former(12, At(4.2, 0.0))}, {At(4.2, 1.0), At(2.0, 1.0)});
   ASSERT_EQ(all.size(), 2U);
-  EXPECT_EQ(OfLandmark(all, 1)->prior_id, 12);
-  EXPECT_EQ(OfLandmark(all, 2)->prior_id, 11);
+  EXPECT_EQ(OfLandmark(all, 1)->former_id, 12);
+  EXPECT_EQ(OfLandmark(all, 2)->former_id, 11);
 }
 
 TEST_F(StatusMovedTest, SaysHowSureItIsThatItIsOneObject) {

@@ -75,7 +75,7 @@ class Dive {
       const int id = static_cast<int>(i) + 1;
       landmarks.push_back({.id = id,
                            .object = objects_[i].object(),
-                           .looks = boxes_[i],
+                           .detections = boxes_[i],
                            .is_confirmed = true,
                            .former_id = id});
     }
@@ -84,12 +84,12 @@ class Dive {
   [[nodiscard]] ObjectStatuses& statuses() { return statuses_; }
   [[nodiscard]] Status DecidedOf(int former_id) {
     for (const OpiBelief& belief : statuses_.Assess())
-      if (belief.prior_id == former_id) return belief.decided;
+      if (belief.former_id == former_id) return belief.decided;
     return Status::kNothing;
   }
   [[nodiscard]] double RemovedOf(int former_id) {
     for (const OpiBelief& belief : statuses_.Assess())
-      if (belief.prior_id == former_id) return belief.posterior.removed;
+      if (belief.former_id == former_id) return belief.posterior.removed;
     return -1.0;
   }
   [[nodiscard]] VisibilityEstimate water() const { return statuses_.Water().estimate(); }

@@ -92,7 +92,7 @@ TEST(TentativeObjectBelief, IsNotHeldBesideALandmarkNearerThanAMetreAndAHalf) {
     landmark.id = 5;
     landmark.object = {
         .p_W = {0.0, distance, 6.0}, .cov_W = 1e-4 * Eigen::Matrix3d::Identity(), .color = "green"};
-    landmark.looks = 5;
+    landmark.detections = 5;
     landmark.is_confirmed = true;
     statuses.SetLandmarks({landmark});
     bool is_held = false;

@@ -32,7 +32,7 @@ struct Field {
       if (!one.landmark) continue;
       landmarks.push_back({.id = *one.landmark,
                            .object = one.object,
-                           .looks = 10,
+                           .detections = 10,
                            .is_confirmed = true,
                            .former_id = one.former});
     }
@@ -137,7 +137,7 @@ inline std::optional<OpiBelief> BeliefOf(const FieldObject& one,
                                          const std::vector<OpiBelief>& all) {
   const auto found = std::ranges::find_if(all, [&](const OpiBelief& belief) {
     return (one.landmark && belief.landmark == one.landmark) ||
-           (one.former && belief.prior_id == one.former);
+           (one.former && belief.former_id == one.former);
   });
   return found == all.end() ? std::nullopt : std::optional(*found);
 }

@@ -87,7 +87,7 @@ class ChangeVerbTest : public ::testing::Test {
                                      .object = {.p_W = sphere.ned + off,
                                                 .cov_W = kCovariance.asDiagonal(),
                                                 .color = sphere.color},
-                                     .looks = 9,
+                                     .detections = 9,
                                      .is_confirmed = true,
                                      .former_id = FormerOf(session, sphere)});
     }

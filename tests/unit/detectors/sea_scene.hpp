@@ -18,11 +18,12 @@ struct SeaScene {
   SeaScene(const std::string& detector_name, const std::string& seabed, double visibility_m = 8.0)
       : detector(MakeDetector(detector_name)) {
     PictureSettings settings{
-        .camera = {}, .seabed_depth = [](double, double) { return kDepth; }, .image = {}};
-    settings.visibility_m = visibility_m;
+        .scene = {.camera = {}, .seabed_depth = [](double, double) { return kDepth; }},
+        .image = {}};
+    settings.scene.visibility_m = visibility_m;
     settings.image.look = "real";
     settings.image.seabed.kind = seabed;
-    settings.seabed_seed = 77;
+    settings.scene.seabed_seed = 77;
     renderer = std::make_unique<PictureRenderer>(settings);
   }
   Image Take(const std::vector<Solid>& solids, double altitude = 3.0) {

@@ -12,7 +12,7 @@ namespace {
 
 PictureSettings Real() {
   PictureSettings settings{
-      .camera = {}, .seabed_depth = [](double, double) { return 7.5; }, .image = {}};
+      .scene = {.camera = {}, .seabed_depth = [](double, double) { return 7.5; }}, .image = {}};
   settings.image.look = "real";
   settings.image.seabed.kind = "sand";
   return settings;
@@ -48,7 +48,7 @@ TEST(PictureRenderer, LabelsAreTheSilhouettesOfEveryKind) {
     static_cast<void>(renderer.Render(HighUp(4.0), std::span(&solid, 1), 0, Seconds(0.0)));
     ASSERT_EQ(renderer.labels().size(), 1U) << kind;
     const SolidLabel& label = renderer.labels().front();
-    const auto outline = OutlineOf(settings.camera, HighUp(4.0), solid);
+    const auto outline = OutlineOf(settings.scene.camera, HighUp(4.0), solid);
     EXPECT_NEAR(label.visible.left, outline->left, 1.5) << kind;
     EXPECT_NEAR(label.visible.right, outline->right, 1.5) << kind;
     EXPECT_NEAR(label.visible.top, outline->top, 1.5) << kind;

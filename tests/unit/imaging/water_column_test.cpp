@@ -8,6 +8,11 @@
 namespace limpet {
 namespace {
 
+/// c [1/m]
+Eigen::Array3f BeamAttenuation(const WaterColumn& water) { return -water.Direct(1.0).log(); }
+/// K [1/m]
+Eigen::Array3f DiffuseAttenuation(const WaterColumn& water) { return -water.Daylight(1.0).log(); }
+
 TEST(WaterColumn, ClearestChannelKeepsFivePercentAtTheVisibility) {
   for (const double visibility : {1.0, 4.0, 8.0, 20.0}) {
     for (const double dissolved : {0.0, 0.5, 2.0}) {
@@ -23,7 +28,7 @@ TEST(WaterColumn, DirectLightFallsExponentiallyInEachChannel) {
   const Eigen::Array3f squared = water.Direct(2.0).square();
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(water.Direct(4.0)(c), squared(c), 1e-6);
-    EXPECT_NEAR(water.Direct(3.0)(c), std::exp(-3.0 * water.beam_attenuation()(c)), 1e-6);
+    EXPECT_NEAR(water.Direct(3.0)(c), std::exp(-3.0 * BeamAttenuation(water)(c)), 1e-6);
   }
 }
 
@@ -43,7 +48,7 @@ TEST(WaterColumn, VeilGrowsWithRangeAndSaturates) {
   EXPECT_TRUE((water.Veil(400.0, 1.0) - far).abs().maxCoeff() < 1e-9);
   // Limit: what a metre sends back, over both coefficients.
   const Eigen::Array3f limit =
-      water.BackscatterPerMeter() / (water.beam_attenuation() + water.diffuse_attenuation());
+      water.BackscatterPerMeter() / (BeamAttenuation(water) + DiffuseAttenuation(water));
   EXPECT_LT((far - limit).abs().maxCoeff(), 1e-6);
 }
 

@@ -74,7 +74,7 @@ TEST_F(LogRawlog, HoldsEveryMeasurementAtItsTime) {
   EXPECT_EQ(CountOf<FogRow>(stream), 3000U);
   EXPECT_EQ(CountOf<DvlRow>(stream), 300U);
   EXPECT_EQ(CountOf<DepthRow>(stream), 300U);
-  EXPECT_EQ(CountOf<GpsRow>(stream), 20U);
+  EXPECT_EQ(CountOf<PositionFix>(stream), 20U);
   EXPECT_NEAR(std::get<InertialInput>(stream.rows.front()).t, 1767225600.0, 1e-6);
   const auto& frame = std::get<FrameRow>(stream.rows.back());
   EXPECT_NEAR(frame.arrival, 1767225661.0, 1e-6);

@@ -15,7 +15,7 @@ SessionComparison RemovedAndNew() {
   comparison.b.lat_origin = "43.7210";
   comparison.b.long_origin = "10.2830";
   OpiBelief removed;
-  removed.prior_id = 4;
+  removed.former_id = 4;
   removed.object = {.p_W = {100.0, 50.0, 7.25}, .cov_W = {}, .color = "orange"};
   removed.posterior = {.removed = 0.98, .nothing = 0.02};
   removed.decided = Status::kRemoved;
@@ -42,7 +42,7 @@ TEST(ChangeFiles, AMovedObjectSaysHowFarItWasMoved) {
   SessionComparison comparison = RemovedAndNew();
   OpiBelief& moved = comparison.objects[1];
   moved.decided = Status::kMoved;
-  moved.prior_id = 4;
+  moved.former_id = 4;
   moved.moved_probability = 0.93;
   comparison.former_W[4] = {-3.0, 9.8, 5.5};
   EXPECT_THAT(ChangesToCsv(comparison), HasSubstr(",4,9,0,0.0030,1.300\n"));

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "estimation/mapping/map_params.hpp"
+#include "tests/support/grid_heights.hpp"
 
 namespace limpet {
 namespace {
@@ -71,7 +72,7 @@ void Tell(GroundSession& session, const TrackShift& shift) {
 }
 
 void ExpectSameGround(const SurveyGrid& a, const SurveyGrid& b) {
-  EXPECT_EQ(a.Heights(), b.Heights());
+  EXPECT_EQ(HeightsOf(a), HeightsOf(b));
   for (int row = 0; row < a.frame().rows; ++row) {
     for (int column = 0; column < a.frame().columns; ++column) {
       ASSERT_EQ(a.Seabed(row, column), b.Seabed(row, column));

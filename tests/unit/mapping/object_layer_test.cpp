@@ -27,7 +27,7 @@ OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, std::optional<int
   OpiBelief status;
   status.id = 1;
   status.landmark = landmark;
-  if (!landmark) status.prior_id = 7;
+  if (!landmark) status.former_id = 7;
   status.object.p_W = ned;
   status.posterior.appeared = 0.98;
   status.posterior.nothing = 0.02;
@@ -38,23 +38,25 @@ OpiBelief StatusAt(const Eigen::Vector3d& ned, Status decided, std::optional<int
 /// Flies north over `ned` and paints what it sees.
 struct Flight {
   StatusParams status;
-  ObjectStatuses book{status, kCamera};
+  ObjectStatuses statuses{status, kCamera};
   SemanticMap map;
   ObjectLayer layer{{}, status, kCamera};
 
   explicit Flight(const Eigen::Vector3d& ned) {
-    book.SetLandmarks(
-        {{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .looks = 5, .is_confirmed = true}});
+    statuses.SetLandmarks({{.id = 1,
+                            .object = {.p_W = ned, .color = "yellow"},
+                            .detections = 5,
+                            .is_confirmed = true}});
     for (int i = 0; i < 20; ++i) {
       const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() + 0.4, ned.z() - 3.0}, 0.02, -0.01, 0.0};
-      book.AddFrame(
+      statuses.AddFrame(
           {.exposure = Seconds(0.25 * i), .X_WB = X_WB, .boxes = {BoxAround(X_WB, ned, 1)}});
     }
   }
   [[nodiscard]] std::optional<VoxelBelief> At(const Eigen::Vector3d& p_W) const {
     return map.At(KeyOf(p_W, map.resolution()));
   }
-  void Paint(const OpiBelief& object) { layer.SetObjects({object}, book, map); }
+  void Paint(const OpiBelief& object) { layer.SetObjects({object}, statuses, map); }
 };
 
 const Eigen::Vector3d kPlace(4.07, 1.02, 5.53);
@@ -163,7 +165,7 @@ TEST(ObjectLayer, WhatTurnsOutToBeGoneLeavesTheMap) {
 TEST(ObjectLayer, ForgetsAnObjectThatIsNoMore) {
   Flight flight(kPlace);
   flight.Paint(StatusAt(kPlace, Status::kNew));
-  flight.layer.SetObjects({}, flight.book, flight.map);
+  flight.layer.SetObjects({}, flight.statuses, flight.map);
   EXPECT_FALSE(flight.layer.Cluster(1));
   EXPECT_FALSE(flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45)));
 }
@@ -183,16 +185,18 @@ Box Clipped(Box box) {
 /// Flies north past `ned` with the object at the image's edge in every frame.
 Flight PastTheEdge(const Eigen::Vector3d& ned, int landmark) {
   Flight flight(ned);
-  flight.book = ObjectStatuses(flight.status, kCamera);
+  flight.statuses = ObjectStatuses(flight.status, kCamera);
   const double beside = 3.0 * kCamera.half_across() - 0.1;
   for (int i = 0; i < 20; ++i) {
     const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() - beside, ned.z() - 3.0}, 0.0, 0.0, 0.0};
-    flight.book.AddFrame({.exposure = Seconds(0.25 * i),
-                          .X_WB = X_WB,
-                          .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
+    flight.statuses.AddFrame({.exposure = Seconds(0.25 * i),
+                              .X_WB = X_WB,
+                              .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
   }
-  flight.book.SetLandmarks(
-      {{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .looks = 5, .is_confirmed = true}});
+  flight.statuses.SetLandmarks({{.id = 1,
+                                 .object = {.p_W = ned, .color = "yellow"},
+                                 .detections = 5,
+                                 .is_confirmed = true}});
   return flight;
 }
 
@@ -245,7 +249,7 @@ TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
   const Eigen::Vector3d elsewhere = kPlace + Eigen::Vector3d(6.0, 0.0, 0.0);
   for (int i = 0; i < 8; ++i) {
     const Pose over{elsewhere + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddFrame({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = over});
+    flight.statuses.AddFrame({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = over});
   }
   flight.Paint(StatusAt(elsewhere, Status::kNew));
   flight.Paint(StatusAt(kPlace, Status::kNew));
@@ -262,7 +266,7 @@ TEST(ObjectLayer, OnePassThatMissesDoesNotUndoAnObject) {
   Flight flight(kPlace);
   for (int i = 0; i < 20; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.125 * (i - 10), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddFrame({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = beside});
+    flight.statuses.AddFrame({.exposure = Seconds(100.0 + 0.25 * i), .X_WB = beside});
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_TRUE(flight.layer.Cluster(1));
@@ -275,8 +279,8 @@ TEST(ObjectLayer, LooksThatMissMakeVoxelsLessCertain) {
   // Pass after pass: one miss alone is lost in the clamp of a sure voxel.
   for (int i = 0; i < 8; ++i) {
     const Pose beside{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddFrame({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = beside});
-    flight.layer.AddFrame(flight.book.frames().back(), flight.book);
+    flight.statuses.AddFrame({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = beside});
+    flight.layer.AddFrame(flight.statuses.frames().back(), flight.statuses);
   }
   flight.Paint(StatusAt(kPlace, Status::kNew));
   EXPECT_LT(flight.At(kPlace - Eigen::Vector3d(0, 0, 0.45))->object, before);
@@ -291,8 +295,8 @@ TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatTheWaterHid) {
   const float seen = flight.At(top_W)->object;
   for (int i = 0; i < 8; ++i) {
     const Pose over{kPlace + Eigen::Vector3d(0.6 * (i - 4), 0.0, -3.0), 0.0, 0.0, 0.0};
-    flight.book.AddFrame({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = over});
-    flight.layer.AddFrame(flight.book.frames().back(), flight.book);
+    flight.statuses.AddFrame({.exposure = Seconds(100.0 + 30.0 * i), .X_WB = over});
+    flight.layer.AddFrame(flight.statuses.frames().back(), flight.statuses);
   }
   flight.Paint(StatusAt(kPlace, Status::kConfirmed));
   ASSERT_LT(flight.At(top_W)->object, seen) << "the water was taken for clear";

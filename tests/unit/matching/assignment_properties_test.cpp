@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,10 +13,10 @@ namespace {
 
 constexpr double kLeftAlone = 5.0;
 
-double TotalOf(const Eigen::MatrixXd& costs, const std::vector<int>& columns) {
+double TotalOf(const Eigen::MatrixXd& costs, const std::vector<std::optional<int>>& columns) {
   double total = 0.0;
   for (std::size_t row = 0; row < columns.size(); ++row) {
-    total += columns[row] < 0 ? kLeftAlone : costs(static_cast<Eigen::Index>(row), columns[row]);
+    total += columns[row] ? costs(static_cast<Eigen::Index>(row), *columns[row]) : kLeftAlone;
   }
   return total;
 }
@@ -45,7 +46,7 @@ TEST(Assignment, IsTheBestThereIsForAnyShapeOfTable) {
   Random random(1, "assignment");
   for (int run = 0; run < 600; ++run) {
     const Eigen::MatrixXd costs = RandomCosts(random);
-    const std::vector<int> columns = AssignOneToOne(costs, kLeftAlone);
+    const std::vector<std::optional<int>> columns = AssignOneToOne(costs, kLeftAlone);
     ASSERT_EQ(columns.size(), static_cast<std::size_t>(costs.rows()));
     std::set<int> taken;
     EXPECT_NEAR(TotalOf(costs, columns), LeastTotal(costs, 0, taken), 1e-9) << costs;
@@ -57,12 +58,12 @@ TEST(Assignment, GivesNoColumnTwiceAndNoneThatIsWorseThanNone) {
   for (int run = 0; run < 600; ++run) {
     const Eigen::MatrixXd costs = RandomCosts(random);
     std::set<int> seen;
-    const std::vector<int> columns = AssignOneToOne(costs, kLeftAlone);
+    const std::vector<std::optional<int>> columns = AssignOneToOne(costs, kLeftAlone);
     for (std::size_t row = 0; row < columns.size(); ++row) {
-      if (columns[row] < 0) continue;
-      EXPECT_TRUE(seen.insert(columns[row]).second);
-      EXPECT_LT(columns[row], costs.cols());
-      EXPECT_LT(costs(static_cast<Eigen::Index>(row), columns[row]), kLeftAlone);
+      if (!columns[row]) continue;
+      EXPECT_TRUE(seen.insert(*columns[row]).second);
+      EXPECT_LT(*columns[row], costs.cols());
+      EXPECT_LT(costs(static_cast<Eigen::Index>(row), *columns[row]), kLeftAlone);
     }
   }
 }
@@ -88,14 +89,14 @@ TEST(Assignment, OfALargeTableIsFoundAtOnceAndCheaperThanGreed) {
   const Eigen::MatrixXd costs =
       Eigen::MatrixXd::NullaryExpr(120, 100, [&random] { return random.Uniform(0.0, 10.0); });
   std::set<int> taken;
-  std::vector<int> greedy;
+  std::vector<std::optional<int>> greedy;
   for (Eigen::Index row = 0; row < costs.rows(); ++row) {
-    int best = -1;
+    std::optional<int> best;
     for (int column = 0; column < costs.cols(); ++column) {
-      const bool is_better = costs(row, column) < (best < 0 ? kLeftAlone : costs(row, best));
+      const bool is_better = costs(row, column) < (best ? costs(row, *best) : kLeftAlone);
       if (!taken.contains(column) && is_better) best = column;
     }
-    if (best >= 0) taken.insert(best);
+    if (best) taken.insert(*best);
     greedy.push_back(best);
   }
   EXPECT_LT(TotalOf(costs, AssignOneToOne(costs, kLeftAlone)), TotalOf(costs, greedy) - 1.0);

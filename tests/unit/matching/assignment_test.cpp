@@ -2,6 +2,7 @@
 #include "estimation/matching/assignment.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(AssignOneToOne, PrefersTheLeastTotalToTheBestSinglePair) {
 TEST(AssignOneToOne, LeavesARowAloneRatherThanPayTooMuch) {
   Eigen::MatrixXd costs(2, 1);
   costs << 3.0, 20.0;
-  EXPECT_THAT(AssignOneToOne(costs, 10.0), ElementsAre(0, -1));
+  EXPECT_THAT(AssignOneToOne(costs, 10.0), ElementsAre(0, std::nullopt));
 }
 
 TEST(AssignOneToOne, WorksWithCostsBelowZero) {
@@ -32,7 +33,7 @@ TEST(AssignOneToOne, WorksWithCostsBelowZero) {
 }
 
 TEST(AssignOneToOne, HasNothingToAssignWithoutColumns) {
-  EXPECT_THAT(AssignOneToOne(Eigen::MatrixXd(2, 0), 1.0), ElementsAre(-1, -1));
+  EXPECT_THAT(AssignOneToOne(Eigen::MatrixXd(2, 0), 1.0), ElementsAre(std::nullopt, std::nullopt));
 }
 
 TEST(AssignOneToOne, BeatsEveryOtherAssignment) {
@@ -41,16 +42,16 @@ TEST(AssignOneToOne, BeatsEveryOtherAssignment) {
   for (int trial = 0; trial < 200; ++trial) {
     const Eigen::MatrixXd costs =
         Eigen::MatrixXd::NullaryExpr(4, 4, [&random] { return random.Uniform(0.0, 10.0); });
-    const auto total = [&](const std::vector<int>& columns) {
+    const auto total = [&](const std::vector<std::optional<int>>& columns) {
       double sum = 0.0;
       for (Eigen::Index row = 0; row < costs.rows(); ++row) {
-        const int column = columns[static_cast<std::size_t>(row)];
-        sum += column < 0 ? kAlone : std::min(costs(row, column), kAlone);
+        const std::optional<int> column = columns[static_cast<std::size_t>(row)];
+        sum += column ? std::min(costs(row, *column), kAlone) : kAlone;
       }
       return sum;
     };
     const double best = total(AssignOneToOne(costs, kAlone));
-    std::vector<int> other{0, 1, 2, 3};
+    std::vector<std::optional<int>> other{0, 1, 2, 3};
     do {
       EXPECT_LE(best, total(other) + 1e-9);
     } while (std::ranges::next_permutation(other).found);

@@ -73,7 +73,7 @@ TEST(FrameOffsetMotion, MovesByAStepAsItsJacobianSays) {
 /// A field of objects metres apart, and what the next session sees of it through an offset.
 struct OffsetSessions {
   std::vector<ObjectEstimate> former, now;
-  std::vector<int> truth;
+  FormerMatches truth;
 };
 
 OffsetSessions SeeThrough(const FrameOffset& offset, Random& random, double gone_share) {
@@ -93,7 +93,8 @@ OffsetSessions SeeThrough(const FrameOffset& offset, Random& random, double gone
     const std::string color = i % 2 == 0 ? "yellow" : "red";
     const bool stays = i < 4 || !random.Chance(gone_share);
     sessions.former.push_back(object(places[i], color));
-    sessions.truth.push_back(stays ? static_cast<int>(sessions.now.size()) : -1);
+    sessions.truth.push_back(stays ? std::optional(static_cast<int>(sessions.now.size()))
+                                   : std::nullopt);
     if (stays) sessions.now.push_back(object(offset.Apply(places[i]), color));
   }
   return sessions;
@@ -128,7 +129,7 @@ TEST_P(OffsetField, IsFoundAgainThroughMetresAndDegrees) {
 TEST_P(OffsetField, TheOffsetIsAtItsPriorsMeanWithoutAMatch) {
   const OffsetSessions sessions = SeeThrough({}, random_, 0.0);
   const SessionMatch nothing = MatchSessions(sessions.former, {}, {});
-  EXPECT_EQ(nothing.now_of_former, std::vector<int>(sessions.former.size(), -1));
+  EXPECT_EQ(nothing.now_of_former, FormerMatches(sessions.former.size()));
   EXPECT_LT(nothing.offset.vector().norm(), 1e-12);
 }
 
@@ -150,7 +151,7 @@ TEST_P(OffsetField, ATurnOfBothFramesTurnsTheShiftAndNothingElse) {
 
 TEST_P(OffsetField, AMatchMoreNeverLeavesTheOffsetLessCertain) {
   const OffsetSessions sessions = SeeThrough({}, random_, 0.0);
-  std::vector<int> matches(sessions.former.size(), -1);
+  FormerMatches matches(sessions.former.size());
   double before = 1e9;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     matches[i] = sessions.truth[i];
@@ -174,11 +175,12 @@ TEST_P(OffsetField, NoObjectOfThisSessionIsTwoOfTheFormerOne) {
     sessions.former.push_back(twin);
   }
   std::vector<int> used;
-  for (const int now : MatchSessions(sessions.former, sessions.now, WideOpen()).now_of_former) {
-    if (now < 0) continue;
-    EXPECT_EQ(std::ranges::count(used, now), 0);
-    EXPECT_LT(now, static_cast<int>(sessions.now.size()));
-    used.push_back(now);
+  const SessionMatch match = MatchSessions(sessions.former, sessions.now, WideOpen());
+  for (const std::optional<int>& now : match.now_of_former) {
+    if (!now) continue;
+    EXPECT_EQ(std::ranges::count(used, *now), 0);
+    EXPECT_LT(*now, static_cast<int>(sessions.now.size()));
+    used.push_back(*now);
   }
 }
 

@@ -29,7 +29,7 @@ class MatchEvidenceProperties : public ::testing::TestWithParam<int> {
     }
   }
   [[nodiscard]] SessionMatch Matched(int count) const {
-    std::vector<int> now_of_former(former_.size(), -1);
+    FormerMatches now_of_former(former_.size());
     for (int i = 0; i < count; ++i)
       now_of_former[static_cast<std::size_t>(i)] = i;
     return FitSessions(former_, now_, now_of_former, params_);

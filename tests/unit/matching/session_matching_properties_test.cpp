@@ -21,7 +21,7 @@ constexpr double kMatchSigma = 0.1;
 /// off each; some gone, some new.
 struct TwoSessions {
   std::vector<ObjectEstimate> former, now;
-  std::vector<int> truth;  ///< per former object
+  FormerMatches truth;
   Eigen::Vector2d shift;
 };
 
@@ -54,7 +54,9 @@ TwoSessions MakeSessions(std::uint64_t seed) {
     };
     const bool is_former = i < 8, is_now = i < 6 || i >= 8;  // 6 stay, 2 go, 2 come
     if (is_former) made.former.push_back(Known(places[i] + noise(), color));
-    if (is_former) made.truth.push_back(is_now ? static_cast<int>(made.now.size()) : -1);
+    if (is_former)
+      made.truth.push_back(is_now ? std::optional(static_cast<int>(made.now.size()))
+                                  : std::nullopt);
     const Eigen::Vector3d shift(made.shift.x(), made.shift.y(), 0.0);
     if (is_now) made.now.push_back(Known(places[i] + shift + noise(), color));
   }
@@ -91,9 +93,9 @@ TEST_P(RandomSessions, MatchTheSameHoweverTheyAreListed) {
   const SessionMatch plain = MatchSessions(made_.former, made_.now, {});
   const SessionMatch other = MatchSessions(made_.former, shuffled, {});
   for (std::size_t i = 0; i < made_.former.size(); ++i) {
-    const int match = other.now_of_former[i];
-    EXPECT_EQ(match < 0 ? -1 : static_cast<int>(order[static_cast<std::size_t>(match)]),
-              plain.now_of_former[i]);
+    std::optional<int> match = other.now_of_former[i];
+    if (match) match = static_cast<int>(order[static_cast<std::size_t>(*match)]);
+    EXPECT_EQ(match, plain.now_of_former[i]);
   }
   EXPECT_LT((plain.offset.shift_W - other.offset.shift_W).norm(), 1e-6);
 }
@@ -115,9 +117,8 @@ TEST_P(RandomSessions, MatchBackwardsAsTheyMatchForwards) {
   const SessionMatch there = MatchSessions(made_.former, made_.now, {});
   const SessionMatch back = MatchSessions(made_.now, made_.former, {});
   for (std::size_t i = 0; i < made_.former.size(); ++i) {
-    const int match = there.now_of_former[i];
-    if (match >= 0) {
-      EXPECT_EQ(back.now_of_former[static_cast<std::size_t>(match)], static_cast<int>(i));
+    if (const std::optional<int> match = there.now_of_former[i]) {
+      EXPECT_EQ(back.now_of_former[static_cast<std::size_t>(*match)], static_cast<int>(i));
     }
   }
   EXPECT_LT((there.offset.shift_W + back.offset.shift_W).norm(), 0.1);
@@ -131,8 +132,8 @@ TEST_P(RandomSessions, GiveChancesThatAreOnes) {
   EXPECT_LE(match.chance.rowwise().sum().maxCoeff(), 1.0 + 1e-9) << "one object, one match";
   EXPECT_LE(match.chance.colwise().sum().maxCoeff(), 1.0 + 1e-9);
   for (std::size_t i = 0; i < made_.truth.size(); ++i) {
-    if (made_.truth[i] >= 0) {
-      EXPECT_GT(match.chance(static_cast<Eigen::Index>(i), made_.truth[i]), 0.9);
+    if (made_.truth[i]) {
+      EXPECT_GT(match.chance(static_cast<Eigen::Index>(i), *made_.truth[i]), 0.9);
     }
   }
 }
@@ -141,8 +142,8 @@ TEST_P(RandomSessions, AreNotLedAstrayByAnObjectFarFromAll) {
   std::vector<ObjectEstimate> former = made_.former, now = made_.now;
   former.push_back(Known({500.0, 500.0, 6.0}, "yellow"));
   now.push_back(Known({-500.0, 500.0, 6.0}, "yellow"));
-  std::vector<int> expected = made_.truth;
-  expected.push_back(-1);
+  FormerMatches expected = made_.truth;
+  expected.push_back(std::nullopt);
   EXPECT_EQ(MatchSessions(former, now, {}).now_of_former, expected);
 }
 
@@ -159,7 +160,7 @@ TEST(FitSessionsProperties, IsTheWeightedMeanWithAWideOpenPrior) {
     std::vector<ObjectEstimate> former, now;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weights = 0.0;
-    std::vector<int> matches;
+    FormerMatches matches;
     for (int i = 0; i < 5; ++i) {
       const double sigma = random.Uniform(0.05, 0.5);
       ObjectEstimate a{.p_W = {random.Uniform(-9.0, 9.0), random.Uniform(-9.0, 9.0), 6.0},
@@ -172,7 +173,7 @@ TEST(FitSessionsProperties, IsTheWeightedMeanWithAWideOpenPrior) {
       weights += 1.0 / (2.0 * sigma * sigma);
       former.push_back(a);
       now.push_back(b);
-      matches.push_back(i);
+      matches.emplace_back(i);
     }
     // The mean of the former objects is the pivot: a tiny turn moves single ones, not the shift.
     const SessionMatch fit = FitSessions(former, now, matches, params);

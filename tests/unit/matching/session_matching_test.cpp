@@ -2,6 +2,7 @@
 #include "estimation/matching/session_matching.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(MatchSessions, LeavesRemovedAndNewObjectsAlone) {
   const SessionMatch match =
       MatchSessions({FormerAt(4, 1), FormerAt(2, 10), FormerAt(-6, -5)},
                     {FormerAt(-6.2, -5.1), FormerAt(-3, 11), FormerAt(4.1, 1.2)}, {});
-  EXPECT_THAT(match.now_of_former, ElementsAre(2, -1, 0));
+  EXPECT_THAT(match.now_of_former, ElementsAre(2, std::nullopt, 0));
 }
 
 TEST(MatchSessions, IsNotLedAstrayByANewNeighbour) {
@@ -56,7 +57,7 @@ TEST(MatchSessions, IsNotLedAstrayByANewNeighbour) {
   const SessionMatch match =
       MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
                     {FormerAt(1.9, 0, "orange"), FormerAt(8, 0.1), FormerAt(0.1, 8)}, {});
-  EXPECT_THAT(match.now_of_former, ElementsAre(-1, 1, 2));
+  EXPECT_THAT(match.now_of_former, ElementsAre(std::nullopt, 1, 2));
 }
 
 TEST(MatchSessions, TakesAnotherColourForAnotherObjectUnlessItStandsWhereTheFormerDid) {
@@ -65,22 +66,23 @@ TEST(MatchSessions, TakesAnotherColourForAnotherObjectUnlessItStandsWhereTheForm
                          {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8 + east, "orange")}, params);
   };
   EXPECT_THAT(match_at(0.1, {}).now_of_former, ElementsAre(0, 1, 2));
-  EXPECT_THAT(match_at(1.0, {}).now_of_former, ElementsAre(0, 1, -1));
+  EXPECT_THAT(match_at(1.0, {}).now_of_former, ElementsAre(0, 1, std::nullopt));
   // Of a detector that is never wrong about it.
-  EXPECT_THAT(match_at(0.1, {.color_penalty = 30.0}).now_of_former, ElementsAre(0, 1, -1));
+  EXPECT_THAT(match_at(0.1, {.color_penalty = 30.0}).now_of_former,
+              ElementsAre(0, 1, std::nullopt));
 }
 
 TEST(MatchSessions, PrefersTheColourThatFits) {
   const SessionMatch match =
       MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8), FormerAt(0, 8.6, "orange")},
                     {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8.2, "orange")}, {});
-  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1, 2));
+  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, std::nullopt, 2));
 }
 
 TEST(MatchSessions, LeavesAnObjectThatMovedUnmatched) {
   const SessionMatch match = MatchSessions({FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 8)},
                                            {FormerAt(0, 0), FormerAt(8, 0), FormerAt(0, 9.5)}, {});
-  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, -1));
+  EXPECT_THAT(match.now_of_former, ElementsAre(0, 1, std::nullopt));
 }
 
 TEST(MatchSessions, IsSureOfWhatNothingRivals) {
@@ -115,12 +117,12 @@ TEST(FitSessions, GivesTheOffsetOfTheMatchesItIsGiven) {
   EXPECT_THAT(fit.now_of_former, ElementsAre(1, 2, 0));
   EXPECT_NEAR(fit.offset.shift_W.x(), 0.5, 0.12);
   EXPECT_NEAR(fit.offset.shift_W.y(), 0.0, 0.05);
-  EXPECT_EQ(FitSessions(former, {}, {-1, -1, -1}, {}).offset.shift_W.norm(), 0.0);
+  EXPECT_EQ(FitSessions(former, {}, FormerMatches(3), {}).offset.shift_W.norm(), 0.0);
 }
 
 TEST(MatchSessions, WorksWithNothingToMatch) {
   EXPECT_TRUE(MatchSessions({}, {FormerAt(0, 0)}, {}).now_of_former.empty());
-  EXPECT_THAT(MatchSessions({FormerAt(0, 0)}, {}, {}).now_of_former, ElementsAre(-1));
+  EXPECT_THAT(MatchSessions({FormerAt(0, 0)}, {}, {}).now_of_former, ElementsAre(std::nullopt));
 }
 
 TEST(FrameOffset, UndoIsTheInverseOfApply) {

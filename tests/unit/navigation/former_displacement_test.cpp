@@ -40,7 +40,7 @@ TwoSessions CompareTwo(const Eigen::Vector2d& move, double sigma, std::size_t ob
   for (Eigen::Vector2d& place : places)
     place += shift;
   two.now = ObjectsOf(places, sigma);
-  std::vector<int> all(objects);
+  FormerMatches all(objects);
   for (std::size_t i = 0; i < objects; ++i)
     all[i] = static_cast<int>(i);
   const Eigen::Matrix4d prior = OffsetPrior(two.params);
@@ -160,7 +160,7 @@ TEST(FormerDisplacement, ADepthThatIsKnownBadlyIsNoMove) {
 
 TEST(FormerDisplacement, UnmatchedObjectsAreLeftAlone) {
   TwoSessions two = CompareTwo({0.0, 0.0}, 0.1);
-  two.match.now_of_former = {-1, 1, -1, 3, -1};
+  two.match.now_of_former = {std::nullopt, 1, std::nullopt, 3, std::nullopt};
   const auto chances =
       ChancesOfSamePlace(two.former, two.now, two.params, OffsetPrior(two.params), two.match);
   EXPECT_EQ(chances[0], 1.0);

@@ -90,6 +90,7 @@ TEST_F(SeenAlongPaths, NewAreaAndFrontierEqualBruteForce) {
   SurveyGrid grid(kArea);
   for (int i = 0; i < 20; ++i) {
     scene::Fly(grid, RandomPath());
+    constexpr LayerWeights kUniformLayers = {0.25, 0.25, 0.25, 0.25};
     const Ground ground(grid, scene::TableFootprint(), kUniformLayers);
     SeenAlong seen(ground);
     const DubinsPath path = RandomPath();

@@ -27,7 +27,7 @@ TEST(ViewEntropy, InheritsObjectsOfTheFormerSessionUntilTheyAreLookedAt) {
   const SurveyGrid grid(kArea);
   const Ground ground(grid, TableFootprint());
   OpiBelief former;
-  former.prior_id = 1;
+  former.former_id = 1;
   former.object.p_W = {-12.0, -10.0, 6.5};
   former.posterior = {.confirmed = 0.6, .removed = 0.4};
   const std::vector<Pose2> views{{-12.0, -10.0, 0.0}};

@@ -47,7 +47,7 @@ std::vector<double> NumbersOf(const DvlRow& row) {
           row.beams[3].value_or(-99.0)};
 }
 std::vector<double> NumbersOf(const DepthRow& row) { return {row.t, row.depth}; }
-std::vector<double> NumbersOf(const GpsRow& row) {
+std::vector<double> NumbersOf(const PositionFix& row) {
   return {row.t, row.p_W.x(), row.p_W.y(), row.sd};
 }
 std::vector<double> NumbersOf(const FrameRow& row) {
@@ -85,7 +85,7 @@ SensorStream EveryRow() {
       DvlRow{.t = 0.4, .v_WD_B = {}, .altitude = {}},
       DvlRow{.t = 0.5, .v_WD_B = {}, .altitude = 3.0, .beams = {{3.1, {}, 3.3, 3.4}}},
       DepthRow{.t = 0.6, .depth = 3.0000001},
-      GpsRow{.t = 0.7, .p_W = {-12.5, 1.0 / 3.0}, .sd = 0.58},
+      PositionFix{.t = 0.7, .p_W = {-12.5, 1.0 / 3.0}, .sd = 0.58},
       FrameRow{
           .arrival = 1.05,
           .frame = {.frame = 7,
@@ -253,8 +253,8 @@ TEST(Rawlog, PlacesOnEarthBecomeNorthAndEastOfTheFirst) {
       BytesOf(FixAt(43.7, 10.3, 0), FixAt(43.721, 10.283, 1), FixAt(43.731, 10.293, 4)), "x");
   ASSERT_TRUE(stream.has_value());
   ASSERT_EQ(stream->rows.size(), 2U);
-  const auto& first = std::get<GpsRow>(stream->rows[0]);
-  const auto& second = std::get<GpsRow>(stream->rows[1]);
+  const auto& first = std::get<PositionFix>(stream->rows[0]);
+  const auto& second = std::get<PositionFix>(stream->rows[1]);
   EXPECT_NEAR(first.t, 1767225600.0, 1e-6);
   EXPECT_NEAR(first.p_W.norm(), 0.0, 1e-6);
   EXPECT_NEAR(first.sd, 6.0, 1e-9);

@@ -10,7 +10,7 @@ namespace {
 
 TEST(ImageParams, SayEveryKeyOnceWithItsRange) {
   ImageParams image;
-  for (const ImageSection& section : ImageSections(image)) {
+  for (const KeySection& section : ImageSections(image)) {
     std::set<std::string> names;
     for (const ParamSpec& key : section.keys) {
       EXPECT_TRUE(names.insert(key.name).second) << section.name << " " << key.name;

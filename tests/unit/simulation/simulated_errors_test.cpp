@@ -10,7 +10,7 @@ namespace {
 
 TEST(SimulatedErrors, SayEveryKeyOnceWithItsRange) {
   SimulatedErrors errors;
-  for (const ErrorSection& section : ErrorSections(errors)) {
+  for (const KeySection& section : ErrorSections(errors)) {
     std::set<std::string> names;
     for (const ParamSpec& key : section.keys) {
       EXPECT_TRUE(names.insert(key.name).second) << section.name << " " << key.name;

@@ -12,6 +12,15 @@ namespace {
 using testing::HasSubstr;
 
 /// An L of 20 x 20 m without its north-eastern quarter, (north, east).
+/// The corner of this index points into the polygon, whose corners run counter-clockwise.
+bool IsReflex(const SimplePolygon& polygon, std::size_t i) {
+  const std::vector<PlanePoint>& corners = polygon.corners();
+  const std::size_t size = corners.size();
+  const PlanePoint in = corners[i] - corners[(i + size - 1) % size];
+  const PlanePoint out = corners[(i + 1) % size] - corners[i];
+  return in.y() * out.x() - in.x() * out.y() < 0.0;
+}
+
 const std::vector<PlanePoint> kEll{{0, 0}, {0, 20}, {10, 20}, {10, 10}, {20, 10}, {20, 0}};
 
 std::string ProblemWith(const std::vector<PlanePoint>& corners) {
@@ -45,7 +54,7 @@ TEST(SimplePolygon, IsTheSameEitherWayRoundAndWithItsFirstCornerRepeated) {
   EXPECT_DOUBLE_EQ(ell.Area(), 300.0);
   int reflex = 0;
   for (std::size_t i = 0; i < ell.size(); ++i) {
-    if (ell.IsReflex(i)) {
+    if (IsReflex(ell, i)) {
       ++reflex;
       EXPECT_EQ(ell.corners()[i], PlanePoint(10, 10));
     }

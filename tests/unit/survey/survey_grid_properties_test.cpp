@@ -10,6 +10,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/survey/survey_grid.hpp"
+#include "tests/support/grid_heights.hpp"
 
 namespace limpet {
 namespace {
@@ -50,8 +51,6 @@ SurveyGrid Flown(const std::vector<SeenFrom>& flight, double reach = 1e6) {
   return grid;
 }
 
-std::vector<float> HeightsOf(const SurveyGrid& grid) { return grid.Heights(); }
-
 class SurveyGridProperties : public ::testing::TestWithParam<int> {
  protected:
   Random random_{static_cast<std::uint64_t>(GetParam()), "grid"};
@@ -90,7 +89,7 @@ TEST_P(SurveyGridProperties, TheTopIsSeenNoSoonerThanTheBandAndThatNoSoonerThanT
 
 TEST_P(SurveyGridProperties, NoHeightIsBeyondTheHighestObject) {
   const SurveyGrid grid = Flown(flight_);
-  for (const float height : grid.Heights()) {
+  for (const float height : HeightsOf(grid)) {
     EXPECT_TRUE(height == SurveyGrid::kNeverSeen ||
                 (height >= 0.0F && height <= static_cast<float>(grid.object_height_max())));
   }

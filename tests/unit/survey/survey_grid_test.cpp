@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/survey/survey_shape.hpp"
+#include "tests/support/grid_heights.hpp"
 
 namespace limpet {
 namespace {
@@ -35,7 +36,7 @@ int ColumnOf(const SurveyGrid& grid, double east) {
 
 double SeenArea(const SurveyGrid& grid, double height) {
   double cells = 0.0;
-  for (const float h : grid.Heights()) {
+  for (const float h : HeightsOf(grid)) {
     cells += static_cast<double>(h) >= height ? 1.0 : 0.0;
   }
   return cells * grid.frame().cell_m * grid.frame().cell_m;
@@ -117,7 +118,7 @@ TEST(SurveyGrid, AMirrorFedWithDeltasIsTheSameGrid) {
     grid.Observe(At(i, 2.0 * i, 0.3 * i), 4.0, CameraModel{});
     ASSERT_TRUE(mirror.Apply(grid.TakeDelta()));
   }
-  EXPECT_EQ(grid.Heights(), mirror.Heights());
+  EXPECT_EQ(HeightsOf(grid), HeightsOf(mirror));
   EXPECT_TRUE(mirror.TakeDelta().cells.empty()) << "it has nothing to tell of its own";
 }
 
@@ -128,7 +129,7 @@ TEST(SurveyGrid, ALateMirrorLearnsEverythingAtOnce) {
     static_cast<void>(grid.TakeDelta());
   }
   ASSERT_TRUE(mirror.Apply(grid.Everything()));
-  EXPECT_EQ(grid.Heights(), mirror.Heights());
+  EXPECT_EQ(HeightsOf(grid), HeightsOf(mirror));
   EXPECT_TRUE(grid.TakeDelta().cells.empty()) << "others' deltas are not delayed";
 }
 
@@ -143,12 +144,12 @@ TEST(SurveyGrid, AMirrorFollowsAlsoToWhatWasNotSeenAfterAll) {
   const SurveyGrid expected = corrected;
   const std::uint64_t before = grid.version();
   grid.Become(std::move(corrected));
-  EXPECT_EQ(grid.Heights(), expected.Heights());
+  EXPECT_EQ(HeightsOf(grid), HeightsOf(expected));
   EXPECT_GT(grid.version(), before);
   const GridDelta delta = grid.TakeDelta();
   EXPECT_LT(delta.cells.size(), 700U) << "of the image that stayed, nothing is told";
   ASSERT_TRUE(mirror.Apply(delta));
-  EXPECT_EQ(mirror.Heights(), expected.Heights());
+  EXPECT_EQ(HeightsOf(mirror), HeightsOf(expected));
   EXPECT_EQ(mirror.coverage().band, expected.coverage().band);
   EXPECT_EQ(mirror.Seabed(RowOf(mirror, 5.5), ColumnOf(mirror, 0.5)), 7.6F);
 }

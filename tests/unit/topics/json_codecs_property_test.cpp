@@ -53,7 +53,7 @@ class Maker {
     for (std::size_t i = Few(); i > 0; --i) {
       out.landmarks.push_back({.id = Whole(),
                                .object = Object(),
-                               .looks = Whole(),
+                               .detections = Whole(),
                                .is_confirmed = random_.Chance(0.5),
                                .former_id = Whole(),
                                .former_candidates = {{Whole(), 0.25}, {Whole(), 0.5}}});
@@ -77,7 +77,7 @@ class Maker {
       OpiBelief opi;
       opi.id = Whole();
       opi.landmark = Whole();
-      opi.prior_id = Whole();
+      opi.former_id = Whole();
       opi.object = Object();
       opi.log_likelihood_ratio = Real();
       opi.looks = Whole();

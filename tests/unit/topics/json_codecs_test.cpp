@@ -108,7 +108,7 @@ TEST(WireForm, OfObjectsStays) {
 }
 
 TEST(WireForm, OfAMovedObjectSaysHowSureThatIs) {
-  OpiBelief moved{.id = 4, .prior_id = 2, .object = {}, .posterior = {.appeared = 0.98}};
+  OpiBelief moved{.id = 4, .former_id = 2, .object = {}, .posterior = {.appeared = 0.98}};
   moved.decided = Status::kMoved;
   moved.moved_probability = 0.93;
   moved.object.size = ObjectSize{.radius = 0.2, .sd = 0.02};

@@ -68,8 +68,8 @@ TEST(VehicleFile, OfFeelHippoHasTheSensorsThatTheSheetsHaveByDefault) {
   VehicleFile shipped = LoadVehicleFile(kShipped / "feelhippo.yaml");
   VehicleFile usual;
   usual.battery.is_present = usual.sensors.sonar.is_present = true;
-  const std::vector<VehicleFileSection> is = VehicleFileSections(shipped);
-  const std::vector<VehicleFileSection> should = VehicleFileSections(usual);
+  const std::vector<KeySection> is = VehicleFileSections(shipped);
+  const std::vector<KeySection> should = VehicleFileSections(usual);
   for (std::size_t i = 2; i < is.size(); ++i) {
     for (std::size_t key = 0; key < is[i].keys.size(); ++key) {
       EXPECT_EQ(is[i].keys[key].example, should[i].keys[key].example)
@@ -305,7 +305,7 @@ TEST(VehicleFile, ThatIsNowhereIsNamedWithThoseThereAre) {
 
 TEST(VehicleFile, DeclaresEveryKeyOnceWithUnitRangeAndMeaning) {
   VehicleFile vehicle;
-  for (const VehicleFileSection& section : VehicleFileSections(vehicle)) {
+  for (const KeySection& section : VehicleFileSections(vehicle)) {
     for (const ParamSpec& key : section.keys) {
       EXPECT_FALSE(key.help.empty()) << section.name << "." << key.name;
       EXPECT_THAT(key.allowed, AnyOf(HasSubstr(" to "), "true or false"))

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace limpet {
+
+/// Of an object from the camera where nothing tells it [m].
+inline constexpr double kUsualDistance = 3.0;
+
+}  // namespace limpet

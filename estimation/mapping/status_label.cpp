@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "estimation/mapping/status_label.hpp"
+
+namespace limpet {
+
+VoxelLabel LabelOf(Status decided) {
+  switch (decided) {
+    case Status::kConfirmed:
+      return VoxelLabel::kConfirmed;
+    case Status::kRemoved:
+      return VoxelLabel::kRemoved;
+    case Status::kNew:
+      return VoxelLabel::kNew;
+    case Status::kMoved:
+      return VoxelLabel::kMoved;
+    case Status::kUncertain:
+    case Status::kNotInspected:
+    case Status::kNothing:
+      break;
+  }
+  return VoxelLabel::kUncertain;
+}
+
+}  // namespace limpet

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace limpet::internal {
+
+/// From the datum, northwards or eastwards [m]: beyond it a local grid means nothing.
+inline constexpr double kFarthest_m = 1e5;
+
+}  // namespace limpet::internal
