@@ -7,8 +7,9 @@
 // that earlier one into a frame of its own, so far off at most, and count how many objects are
 // recognised. --silent FROM,TO takes the DVL's lock away from one time [s] to another, and tells
 // how far off the vehicle was taken to be at its end and 30 s after; --standing FROM,TO has the
-// vehicle stand meanwhile. --markdown writes docs/navigation-honesty.md, --errors its last table
-// alone, both with a line per session on the error output.
+// vehicle stand meanwhile. --fixes FACTOR has fixes wander by so much more than they state.
+// --markdown writes docs/navigation-honesty.md, --errors its last table alone, both with a line per
+// session on the error output.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -139,6 +140,7 @@ struct Options {
   bool has_oracle = false, has_details = false, has_former = false, is_markdown = false;
   FormerFrame former_frame{};
   std::optional<Interval> silent{}, standing{};
+  double fix_error = 1.0;
 };
 
 /// Of the vehicle's place at the end of what was silenced, as told just before and 30 s after.
@@ -293,6 +295,7 @@ std::vector<Outcome> RunScene(const Options& options) {
     const EarlierSession earlier =
         options.has_former ? EarlierOf(scene, options.former_frame) : EarlierSession{};
     scene.standing = options.standing;
+    scene.true_fix_error *= options.fix_error;
     SimulatedStream session = SimulateStream(scene);
     if (options.silent) session.stream = WithoutVelocity(session.stream, *options.silent);
     outcomes.push_back(PrintSession(session, earlier, seed, options));
@@ -365,6 +368,8 @@ int main(int argc, char** argv) {
       options.former_frame.turn_deg = std::stod(argv[++i]);
     } else if (i + 1 < argc && word == "--silent") {
       options.silent = IntervalOf(argv[++i]);
+    } else if (i + 1 < argc && word == "--fixes") {
+      options.fix_error = std::stod(argv[++i]);
     } else if (i + 1 < argc && word == "--standing") {
       options.standing = IntervalOf(argv[++i]);
     } else if (i + 1 < argc && word == "--seeds") {

@@ -247,6 +247,11 @@ std::string DoubtSummary(const ReplayResult& result) {
   std::string text;
   if (!result.has_fix)
     text += "no GPS fix was used: places count from the start, taken for the origin\n";
+  if (result.fix_error && result.fix_error->is_too_large()) {
+    text += fmt::format(
+        "fixes wander {:.1f} times as far as they state: they are believed as far as they show\n",
+        result.fix_error->mean);
+  }
   if (result.surface_reading) {
     text += fmt::format(
         "the depth sensor read {:.1f} m where fixes came, and no antenna is out of the water "
