@@ -116,6 +116,12 @@ class WaterModel {
   /// little of the bridge.
   [[nodiscard]] Eigen::Vector2d EndVariance(double seconds, const Conduct& conduct) const;
 
+  /// Speed ahead through the water at `t` of a vehicle that is taken to go on as it did [m/s]; 0 if
+  /// its commands are known, or a start is expected of it anyway.
+  [[nodiscard]] double HabitualSpeed(double t) const {
+    return driven_B_ || !t_ || UntoldSpeed() > 0.0 ? 0.0 : SpeedAt(t);
+  }
+
   [[nodiscard]] WaterState StateAt(double t, const Conduct& conduct) const;
   /// False until a first velocity has come.
   [[nodiscard]] bool has_velocity() const { return t_.has_value(); }
