@@ -120,6 +120,8 @@ class Navigator {
   [[nodiscard]] int landmark_version() const { return landmark_version_; }
   /// The chain's poses from the `first` on.
   [[nodiscard]] std::vector<SmoothedPose> Smoothed(int first = 0) const;
+  /// 1-sigmas of north, east, down [m] and heading [rad] of all of them.
+  [[nodiscard]] std::vector<Eigen::Vector4d> SmoothedSigmas() const;
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
   [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
   [[nodiscard]] const Smoother& smoother() const { return smoother_; }
