@@ -306,7 +306,7 @@ TrackPose OdometryTrack::At(double t) const {
   const Eigen::Vector3d rate_B(0.0, 0.0, a.yaw_rate);
   pose.v_B = sample.R_DB.transpose() * LevelVelocity(sample) - rate_B.cross(params_.dvl_B);
   pose.yaw_rate = a.yaw_rate;
-  pose.stop_covariance_D = sample.stop.Covariance();
+  pose.stop_covariance_D = sample.stop.Covariance(water_.StopRate());
   return pose;
 }
 

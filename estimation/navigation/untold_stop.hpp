@@ -10,9 +10,6 @@ namespace limpet {
 /// the water from there on. Seldom, but far: a covariance of both cases together.
 class UntoldStop {
  public:
-  /// Who is on his way stops unseen about so often [1/s].
-  static constexpr double kStopRate = 1.0 / 600.0;
-
   /// It goes on as believed: `way` through the water [m] in `seconds`.
   void GoOn(const Eigen::Vector2d& way, double seconds) {
     const Eigen::Vector2d before = way_;
@@ -22,10 +19,10 @@ class UntoldStop {
     sum_ += seconds * middle;
     squares_ += seconds * middle * middle.transpose();
   }
-  /// Of the place by now, in the axes of `way` [m^2].
-  [[nodiscard]] Eigen::Matrix2d Covariance() const {
+  /// Of the place by now, in the axes of `way` [m^2], of one that stops so often [1/s].
+  [[nodiscard]] Eigen::Matrix2d Covariance(double stop_rate) const {
     const Eigen::Matrix2d crossed = sum_ * way_.transpose();
-    return kStopRate *
+    return stop_rate *
            (seconds_ * way_ * way_.transpose() - crossed - crossed.transpose() + squares_);
   }
 
