@@ -3,11 +3,12 @@
 // [--former] [--details]: the estimator on simulated sessions, one line each, and their summary
 // with NEES and update times. --oracle adds what a detector without mistakes would give; --former
 // gives each session what an earlier one over the same place left: since then an eighth of the
-// objects are gone, and as many came (--changed SHARE: another share); --shift M and --turn DEG put
-// that earlier one into a frame of its own, so far off at most, and count how many objects are
-// recognised. --silent FROM,TO takes the DVL's lock away from one time [s] to another, and tells
-// how far off the vehicle was taken to be at its end and 30 s after; --standing FROM,TO has the
-// vehicle stand meanwhile. --fixes FACTOR has fixes wander by so much more than they state.
+// objects are gone, and as many came (--changed SHARE: another share; --another: nothing of it is
+// here); --shift M and --turn DEG put that earlier one into a frame of its own, so far off at most,
+// and count how many objects are recognised. --silent FROM,TO takes the DVL's lock away from one
+// time [s] to another, and tells how far off the vehicle was taken to be at its end and 30 s after;
+// --standing FROM,TO has the vehicle stand meanwhile. --fixes FACTOR has fixes wander by so much
+// more than they state.
 // --markdown writes docs/navigation-honesty.md, --errors its last table alone, both with a line per
 // session on the error output.
 #include <algorithm>
@@ -350,6 +351,8 @@ int main(int argc, char** argv) {
       options.has_oracle = true;
     } else if (word == "--former") {
       options.has_former = true;
+    } else if (word == "--another") {
+      options.former_frame.is_of_another_place = true;
     } else if (word == "--details") {
       options.has_details = true;
     } else if (word == "--markdown") {
