@@ -58,6 +58,9 @@ void NavApp::WatchSensors(double now) {
   }
   watch(warnings::kGpsRefused, refused_fix_.IsFresh(now, kRefusedFixPause),
         "fixes lie metres from where dead reckoning and the others have the vehicle");
+  const auto fix_error = navigator_.fix_error();
+  watch(warnings::kGpsWorse, fix_error && fix_error->is_too_large(),
+        "fixes wander farther than they state");
   const auto reading = navigator_.surface_reading();
   watch(warnings::kDepthNotZeroed, reading.has_value(),
         "it reads a depth where fixes come, which no antenna is at");

@@ -71,6 +71,17 @@ inline const WarningId kGpsRefused = DeclareWarning(
                "fixes before the dive.",
      .clears = "10 s after the last such fix."});
 
+inline const WarningId kGpsWorse = DeclareWarning(
+    "GPS_WORSE",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "Fixes wander more than twice as far as sigma_m of the vehicle's file, which they "
+                "state, allows: they are believed as far as they show, and the whole session may "
+                "lie metres off, as its sigmas say.",
+     .action = "See to the antenna and to what reflects around it; correct sigma_m of the "
+               "vehicle's file if the receiver is like that.",
+     .clears = "Once fixes, of other stays too, have shown otherwise."});
+
 inline const WarningId kDepthNotZeroed = DeclareWarning(
     "DEPTH_NOT_ZEROED",
     {.severity = Severity::kWarning,

@@ -12,7 +12,7 @@ namespace {
 constexpr double kStayGap = 60.0;          // [s] without a fix that end a stay
 constexpr double kSameSigmas = 3.0;        // of the difference of two fixes of one group
 constexpr double kSameLeast = 0.5;         // [m] that dead reckoning may drift meanwhile
-constexpr double kLatestShare = 0.1;       // of a fix in where its group is now
+constexpr double kLatestShare = 0.3;       // of a fix in where its group is now
 constexpr double kPredictionGate = 5.0;    // off the prediction
 constexpr double kPredictionWorth = 20.0;  // [s] of fixes that refute it
 constexpr double kReturnWorth = 10.0;      // [s] of fixes that a return to a group is worth
@@ -21,16 +21,16 @@ constexpr double kLead = 5.0;              // [s] that another group must have i
 constexpr double kLongestStep = 2.0;       // [s] from one fix to the next that count
 constexpr double kMostSupport = 120.0;     // [s]: so old a group can be refuted, too
 constexpr std::size_t kFewest = 5;         // fixes that make a group worth believing against others
-constexpr std::size_t kEnoughForSpread = 15;
-constexpr double kMostNoise = 0.5;  // of a fix's stated variance, that differs from fix to fix
-constexpr double kPriorWeight = 2.0, kSpreadWeight = 2.0;  // of what is stated, of what is seen
+constexpr std::size_t kLatestSteps = 31;
+constexpr double kSameSteps = 5.0;  // usual ones that a fix of a group lies off it
 
 }  // namespace
 
 bool FixConsensus::IsNewStay(double t) const { return t - last_t_ > kStayGap; }
 
-void FixConsensus::BeginStay(const std::optional<FixPrediction>& prediction) {
+void FixConsensus::BeginStay(const std::optional<FixPrediction>& prediction, double scale) {
   prediction_ = prediction;
+  scale_ = scale;
   groups_.clear();
   believed_.reset();
   added_ = 0;
@@ -38,8 +38,8 @@ void FixConsensus::BeginStay(const std::optional<FixPrediction>& prediction) {
 
 bool FixConsensus::IsAsPredicted(const HeldFix& held) const {
   if (!prediction_) return true;
-  const Eigen::Matrix2d S =
-      prediction_->covariance_W + held.fix.sd * held.fix.sd * Eigen::Matrix2d::Identity();
+  const double sd = scale_ * held.fix.sd;
+  const Eigen::Matrix2d S = prediction_->covariance_W + sd * sd * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d r = held.off_W - prediction_->off_W;
   return r.dot(S.llt().solve(r)) <= kPredictionGate * kPredictionGate;
 }
@@ -47,10 +47,23 @@ bool FixConsensus::IsAsPredicted(const HeldFix& held) const {
 FixConsensus::Group& FixConsensus::GroupOf(const HeldFix& held) {
   const auto distance = [&](const Group& group) { return (group.off_W - held.off_W).norm(); };
   const auto nearest = std::ranges::min_element(groups_, {}, distance);
-  const double same = std::max(kSameLeast, kSameSigmas * std::sqrt(2.0) * held.fix.sd);
+  const double same =
+      std::max({kSameLeast, kSameSigmas * std::sqrt(2.0) * held.fix.sd, kSameSteps * usual_step_});
   if (nearest != groups_.end() && distance(*nearest) <= same) return *nearest;
   groups_.push_back({.fixes = {}, .off_W = held.off_W, .is_predicted = IsAsPredicted(held)});
   return groups_.back();
+}
+
+void FixConsensus::NoteStep(const HeldFix& held) {
+  if (added_ > 0 && held.fix.t - last_t_ <= kLongestStep) {
+    steps_.push_back((held.off_W - last_off_W_).norm());
+    if (steps_.size() > kLatestSteps) steps_.pop_front();
+    std::vector<double> sorted(steps_.begin(), steps_.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    usual_step_ = steps_.size() < kFewest ? 0.0 : *middle;
+  }
+  last_off_W_ = held.off_W;
 }
 
 double FixConsensus::SupportOf(const Group& group) const {
@@ -66,6 +79,7 @@ bool FixConsensus::IsBetter(const Group& rival) const {
 }
 
 FixConsensus::Verdict FixConsensus::Add(const HeldFix& held) {
+  NoteStep(held);
   Group& group = GroupOf(held);
   const auto number = static_cast<std::size_t>(&group - groups_.data());
   const bool comes_back = group.last && *group.last + 1 < added_;
@@ -101,30 +115,6 @@ double FixConsensus::DoubtVariance() const {
     variance += odds * 0.5 * (group.off_W - best.off_W).squaredNorm();
   }
   return variance / sum;
-}
-
-double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, Seconds span,
-                   const FixError& stated) {
-  if (residuals_W.size() < kEnoughForSpread || span.value() <= 0.0) return 1.0;
-  const auto n = static_cast<double>(residuals_W.size());
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  double from_fix_to_fix = 0.0, spread = 0.0;
-  for (const Eigen::Vector2d& r : residuals_W)
-    mean += r / n;
-  for (std::size_t i = 0; i < residuals_W.size(); ++i) {
-    spread += (residuals_W[i] - mean).squaredNorm() / (2.0 * n);
-    if (i > 0) from_fix_to_fix += (residuals_W[i] - residuals_W[i - 1]).squaredNorm();
-  }
-  const double white = from_fix_to_fix / (4.0 * (n - 1.0));
-  // Of a Gauss-Markov process: the share of its variance that a window of `span` shows about its
-  // mean.
-  const double x = span / stated.correlation;
-  const double shown = 1.0 - 2.0 / x * (1.0 - (1.0 - std::exp(-x)) / x);
-  const double variance = std::max(spread - white, 0.0) / shown + white;
-  const double seen = variance / (stated.sd * stated.sd);
-  const double all =
-      std::max((kPriorWeight + kSpreadWeight * seen) / (kPriorWeight + kSpreadWeight), 1.0);
-  return std::sqrt(all - std::min(white / (stated.sd * stated.sd), kMostNoise));
 }
 
 }  // namespace limpet

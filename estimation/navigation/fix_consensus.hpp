@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -9,7 +10,6 @@
 
 #include "estimation/navigation/measurement_buffer.hpp"
 #include "limpet/core/long_ago.hpp"
-#include "limpet/core/units.hpp"
 
 namespace limpet {
 
@@ -34,8 +34,9 @@ class FixConsensus {
  public:
   /// True if a stay begins with a fix at `t` [s]: the last one is long ago.
   [[nodiscard]] bool IsNewStay(double t) const;
-  /// `prediction`: nothing if nothing tells where the vehicle is.
-  void BeginStay(const std::optional<FixPrediction>& prediction);
+  /// `prediction`: nothing if nothing tells where the vehicle is. `scale`: sigma of fixes over what
+  /// they state, as far as that is known.
+  void BeginStay(const std::optional<FixPrediction>& prediction, double scale = 1.0);
 
   struct Verdict {
     bool is_believed = false;
@@ -60,29 +61,21 @@ class FixConsensus {
     std::optional<std::size_t> last = std::nullopt;  ///< of its fixes among all of the stay
   };
   Group& GroupOf(const HeldFix& held);
+  /// From one fix to the next of the latest [m]; of wandering or noisy fixes, not of jumps.
+  void NoteStep(const HeldFix& held);
   [[nodiscard]] bool IsAsPredicted(const HeldFix& held) const;
   [[nodiscard]] double SupportOf(const Group& group) const;
   [[nodiscard]] bool IsBetter(const Group& rival) const;
 
   std::optional<FixPrediction> prediction_;
+  double scale_ = 1.0;
+  std::deque<double> steps_;  ///< from fix to fix, of the latest [m]
+  double usual_step_ = 0.0;   ///< their median
+  Eigen::Vector2d last_off_W_ = Eigen::Vector2d::Zero();
   std::vector<Group> groups_;
   std::optional<std::size_t> believed_;  ///< of groups_
   std::size_t added_ = 0;                ///< fixes of this stay
   double last_t_ = kLongAgo;
 };
-
-/// What fixes state of their error: its sigma, and for how long it stays about the same.
-struct FixError {
-  double sd = 0.0;  ///< of north as of east [m]
-  Seconds correlation;
-};
-
-/// What the spread of a stay's fixes says of the part of their error that wanders, over what they
-/// state of all of it. What differs from one fix to the next is no part of that: a stay's mean has
-/// next to nothing of it. An error that wanders shows less of itself in a stay shorter than
-/// its correlation than in a long one; that share is made up for. `residuals_W`: of fixes in order,
-/// over `span`, against the smoothed track [m].
-[[nodiscard]] double SpreadScale(const std::vector<Eigen::Vector2d>& residuals_W, Seconds span,
-                                 const FixError& stated);
 
 }  // namespace limpet

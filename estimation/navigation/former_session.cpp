@@ -34,6 +34,7 @@ constexpr std::size_t kSearchEvery = 20;  // matches, if no landmarks came: thos
 constexpr Meters kFoundShift{1.0};        // of such a frame, until all objects are matched
 constexpr Radians kFoundTurn = Radians::FromTextUnit(3.0);
 
+constexpr double kCame = 0.5;            // chance that an object is none of the former session's
 constexpr double kPlaced = 0.6;          // [m] deviation per axis of a place among the others
 constexpr double kLeastVariance = 1e-6;  // [m^2] of a place, whatever a file says
 
@@ -210,6 +211,14 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
   return match();
 }
 
+bool FormerSessionTie::IsOfThisPlace(const SessionMatch& match,
+                                     const std::vector<ObjectEstimate>& candidates,
+                                     const Eigen::Matrix4d& now_frame) const {
+  const auto known = std::ranges::count_if(match.now_of_former, [](int now) { return now >= 0; });
+  const double came = static_cast<double>(candidates.size()) - static_cast<double>(known);
+  return EvidenceOf(match, candidates, now_frame) > -came * std::log(kCame);
+}
+
 bool FormerSessionTie::IsTimeToSearch(std::size_t candidates) {
   ++matches_since_search_;
   const bool has_more = 10 * candidates > 11 * searched_with_;
@@ -233,6 +242,9 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   for (const std::size_t i : placed)
     candidates.push_back(present.objects[i]);
   SessionMatch match = MatchOrSearch(candidates, split.frame);
+  // One object alone ties nothing, and is its former self or not.
+  if (candidates.size() > 1 && !IsOfThisPlace(match, candidates, split.frame))
+    std::ranges::fill(match.now_of_former, -1);
   const std::vector<double> same_place = ChancesOfSamePlace(former_.objects, candidates, params_,
                                                             OffsetInformation(split.frame), match);
   offset_ = match.offset;

@@ -314,4 +314,12 @@ std::vector<SmoothedPose> Navigator::Smoothed(int first) const {
   return poses;
 }
 
+std::vector<Eigen::Vector4d> Navigator::SmoothedSigmas() const {
+  std::vector<Eigen::Vector4d> sigmas;
+  if (!has_started()) return sigmas;
+  for (const NavCovariance& covariance : smoother_.PoseCovariances())
+    sigmas.emplace_back(covariance.diagonal().head<4>().cwiseMax(0.0).cwiseSqrt());
+  return sigmas;
+}
+
 }  // namespace limpet

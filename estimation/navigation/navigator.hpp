@@ -85,6 +85,10 @@ class Navigator {
   [[nodiscard]] bool has_started() const { return chain_.has_begun(); }
   /// True once a fix was believed: else places count from the start, and that is anywhere.
   [[nodiscard]] bool has_fix() const { return chain_.has_fix(); }
+  /// Sigma of fixes over what they state, with its 1-sigma; nothing before one was believed.
+  [[nodiscard]] std::optional<FixErrorBelief::Ratio> fix_error() const {
+    return chain_.has_fix() ? std::optional(chain_.fix_error().ratio()) : std::nullopt;
+  }
   /// What the depth sensor reads where fixes come, if that is not the surface [m].
   [[nodiscard]] std::optional<double> surface_reading() const {
     return chain_.depth_errors().surface_reading();
@@ -116,6 +120,8 @@ class Navigator {
   [[nodiscard]] int landmark_version() const { return landmark_version_; }
   /// The chain's poses from the `first` on.
   [[nodiscard]] std::vector<SmoothedPose> Smoothed(int first = 0) const;
+  /// 1-sigmas of north, east, down [m] and heading [rad] of all of them.
+  [[nodiscard]] std::vector<Eigen::Vector4d> SmoothedSigmas() const;
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
   [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
   [[nodiscard]] const Smoother& smoother() const { return smoother_; }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "estimation/smoothing/mrpt_poses.hpp"
 #include "limpet/core/require.hpp"
 
@@ -28,6 +30,13 @@ void AddSilence(double t, double seconds, const PoseChain& chain,
   covariance(kNavYaw, kNavYaw) += silence.yaw;
 }
 
+/// That the vehicle may have stopped since there was a velocity, and nothing told. Of what is
+/// published alone: the chain goes by what is likely, and the dropout's end tells what was.
+void AddUntoldStop(const TrackPose& track, double yaw, NavCovariance& covariance) {
+  const Eigen::Matrix2d R_WD = Eigen::Rotation2Dd(yaw - track.X_DB.yaw).toRotationMatrix();
+  covariance.topLeftCorner<2, 2>() += R_WD * track.stop_covariance_D * R_WD.transpose();
+}
+
 /// Of the head, levelled, then the step: MRPT carries the covariance through the composition.
 NavCovariance CovarianceAfter(const OdometryStep& step, NavVector head, const Smoother& smoother) {
   head.tail<2>().setZero();
@@ -49,8 +58,10 @@ NavigatorEstimate EstimateAt(double t, const PoseChain& chain, const Smoother& s
   const OdometryStep step = chain.StepTo(t);
   NavCovariance covariance = CovarianceAfter(step, chain.Head(), smoother);
   AddSilence(t, t - track.t, chain, measurements, covariance);
+  const Pose X_WB = PoseOf(chain.After(step, track.X_DB.roll, track.X_DB.pitch));
+  AddUntoldStop(track, X_WB.yaw, covariance);
   NavigatorEstimate estimate{.t = t,
-                             .X_WB = PoseOf(chain.After(step, track.X_DB.roll, track.X_DB.pitch)),
+                             .X_WB = X_WB,
                              .v_B = track.v_B,
                              .yaw_rate = track.yaw_rate,
                              .altitude = measurements.AltitudeAt(t),

@@ -47,6 +47,7 @@ std::vector<NamedState> Navigator::States(double t) const {
   AddBlock(smoother_, errors.slow_slot(), kSlow, states);
   if (errors.mount_slot()) AddBlock(smoother_, *errors.mount_slot(), kMount, states);
   if (const auto slot = chain_.depth_errors().slot()) AddBlock(smoother_, *slot, kDepth, states);
+  if (const auto error = fix_error()) states.push_back({"gps_sigma_ratio", error->mean, error->sd});
   if (compass_.slot()) AddBlock(smoother_, *compass_.slot(), kCompass, states);
   if (const auto& slots = tracker_.mount().slots()) {
     AddBlock(smoother_, (*slots)[0], kTilt, states);

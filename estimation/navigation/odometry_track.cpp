@@ -217,6 +217,11 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
     const double correlated = std::min(*age, params_.bridge_correlation.value());
     to.bridge_variance += 2.0 * water_.VarianceAt(to.attitude.t, ConductOf(to)) * correlated * dt;
   }
+  to.stop = age ? from.stop : UntoldStop();
+  if (age) {
+    const double ahead = dt * water_.HabitualSpeed(to.attitude.t), yaw = to.attitude.yaw;
+    to.stop.GoOn({ahead * std::cos(yaw), ahead * std::sin(yaw)}, dt);
+  }
   const auto squared = [](double x) { return x * x; };
   const double silent =
       squared(UntrustedSilence(to.attitude.t)) - squared(UntrustedSilence(from.attitude.t));
@@ -267,6 +272,7 @@ OdometryTrack::Sample OdometryTrack::SampleAt(double t) const {
     between.unknown_way = Mix(a.unknown_way, b.unknown_way, around->share);
     between.unattended = Mix(a.unattended, b.unattended, around->share);
     between.turn_rate = b.turn_rate;
+    between.stop = b.stop;
     return between;
   }
   if (t <= samples_.front().attitude.t) {
@@ -300,6 +306,7 @@ TrackPose OdometryTrack::At(double t) const {
   const Eigen::Vector3d rate_B(0.0, 0.0, a.yaw_rate);
   pose.v_B = sample.R_DB.transpose() * LevelVelocity(sample) - rate_B.cross(params_.dvl_B);
   pose.yaw_rate = a.yaw_rate;
+  pose.stop_covariance_D = sample.stop.Covariance(water_.StopRate());
   return pose;
 }
 

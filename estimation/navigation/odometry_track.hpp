@@ -12,6 +12,7 @@
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/driven_speed.hpp"
 #include "estimation/navigation/sample_period.hpp"
+#include "estimation/navigation/untold_stop.hpp"
 #include "estimation/navigation/water_model.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/units.hpp"
@@ -77,6 +78,8 @@ struct TrackPose {
   Pose X_DB;
   Eigen::Vector3d v_B = Eigen::Vector3d::Zero();  ///< of the body origin [m/s]
   double yaw_rate = 0.0;
+  /// In a dropout: of its place because it may have stopped meanwhile [m^2].
+  Eigen::Matrix2d stop_covariance_D = Eigen::Matrix2d::Zero();
 };
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
@@ -103,7 +106,10 @@ class OdometryTrack {
   void BelieveContested();
 
   /// A fix at `t` [s] has shown where the vehicle is: silence begins anew.
-  void NoteFix(double t) { fix_t_ = std::max(fix_t_.value_or(t), t); }
+  void NoteFix(double t) {
+    fix_t_ = std::max(fix_t_.value_or(t), t);
+    if (!is_empty()) samples_.back().stop = {};
+  }
 
   /// The vehicle is at the surface at `t` [s]: what it does there is no habit of its dive.
   void NoteSurface(double t) { water_.NoteSurface(t); }
@@ -162,6 +168,7 @@ class OdometryTrack {
     /// of them those without attitude.
     double unknown_way = 0.0, unattended = 0.0;
     double turn_rate = 0.0;  ///< of yaw, smoothed [rad/s]
+    UntoldStop stop{};       ///< of this dropout
     /// Of the track, to catch up with what was not believed at first, in its frame [m].
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   };

@@ -18,7 +18,9 @@ constexpr double kSameTime = 1e-3;  // [s] within which two measurements share a
 constexpr int kBelieveDepths = 20;  // refused in a row, then taken after all
 constexpr double kLevelSpan = 3.0, kLevelRate = 0.03;  // [s], [m/s] of a vehicle that floats
 constexpr double kScaleStep = 1.05;  // of the fixes' sigma, from which on they are weighed anew
-constexpr std::size_t kSpreadEvery = 5, kMostForSpread = 180;  // fixes of a stay
+constexpr double kEarlierScaleStep = 1.25;  // and those of earlier stays, or of a long one
+constexpr std::size_t kLearnEvery = 5, kMostToLearnAnew = 300;  // fixes of a stay
+constexpr double kLongestReckoning = 15.0;                      // [s] that the track reaches back
 constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
 constexpr double kDepthGateSigmas = 5.0;  // or so many of its own
 constexpr double kStartDepthSigma = 0.05, kStartTiltSigma = 0.01, kLeastYawSigma = 1e-4;
@@ -33,7 +35,8 @@ PoseChain::PoseChain(const NavigatorParams& params, Smoother& smoother,
       measurements_(measurements),
       errors_(params, smoother, measurements.track()),
       depth_errors_(params, smoother),
-      depth_gate_(kBelieveDepths) {}
+      depth_gate_(kBelieveDepths),
+      fix_error_(params.gps_correlation) {}
 
 void PoseChain::Begin(double t, const Eigen::Vector2d& p_W) {
   const AttitudeEstimate attitude = measurements_.track().AttitudeAt(t);
@@ -137,16 +140,16 @@ PoseChain::FixUse PoseChain::AddFix(const PositionFix& of_antenna) {
   const int node = NodeAt(of_antenna.t);
   const PositionFix fix = OfBody(of_antenna, node);
   const Eigen::Vector2d reckoned_D = measurements_.track().At(fix.t).X_DB.p_WB.head<2>();
-  if (consensus_.IsNewStay(fix.t)) BeginStay(reckoned_D);
+  if (consensus_.IsNewStay(fix.t)) BeginStay(fix, reckoned_D);
   const FixConsensus::Verdict verdict =
       consensus_.Add({.fix = fix, .node = node, .off_W = fix.p_W - reckoned_D});
   measurements_.counts().fixes = refused_before_ + static_cast<int>(consensus_.refused());
   if (consensus_.believed().empty()) return FixUse::kRefused;
-  const double scale = StayScale();
-  const bool is_old = scale > kScaleStep * fix_scale_ || scale < fix_scale_ / kScaleStep;
+  LearnFixError(verdict);
+  const bool is_old = WeighAnew();
   if (verdict.has_changed_group || is_old) {
-    fix_scale_ = scale;
     RetakeFixes();
+    ReweighEarlierStays();
   } else if (verdict.is_believed) {
     TakeFix(consensus_.believed().back());
   } else {
@@ -169,68 +172,105 @@ bool PoseChain::IsLevel(double t) const {
   return std::abs(sunk) <= kLevelSpan * kLevelRate;
 }
 
-void PoseChain::BeginStay(const Eigen::Vector2d& reckoned_D) {
+void PoseChain::BeginStay(const PositionFix& first, const Eigen::Vector2d& reckoned_D) {
   refused_before_ = measurements_.counts().fixes;
   before_stay_t_ = last_fix_t_;
-  row_ = {.correlation = params_.gps_correlation.value(), .gap_before = {}, .times = {}};
-  taken_.clear();
-  fix_scale_ = spread_scale_ = 1.0;
+  if (!stay_.taken.empty()) earlier_stays_.push_back(std::move(stay_));
+  fix_scale_ = fix_error_.Scale();
+  stay_ = {.row = {.correlation = params_.gps_correlation.value()}, .scale = fix_scale_};
   std::optional<FixPrediction> prediction;
+  std::optional<FixErrorBelief::Start> start;
   if (has_fix_) {
     prediction = FixPrediction{.off_W = Head().head<2>() - reckoned_D,
                                .covariance_W = smoother_.Covariance({}).topLeftCorner<2, 2>()};
+    start = FixErrorBelief::Start{.off_W = first.p_W - Head().head<2>(),
+                                  .variance = 0.5 * prediction->covariance_W.trace()};
   }
-  consensus_.BeginStay(prediction);
+  consensus_.BeginStay(prediction, std::max(fix_scale_, 1.0));
+  fix_error_.BeginStay(start);
 }
 
-double PoseChain::StayScale() {
+void PoseChain::LearnFixError(const FixConsensus::Verdict& verdict) {
   const std::vector<HeldFix>& fixes = consensus_.believed();
-  const double sd = fixes.back().fix.sd;
-  // A spread changes slowly, and a long stay has shown all there is.
-  if (fixes.size() % kSpreadEvery == 0 && fixes.size() <= kMostForSpread) {
-    std::vector<Eigen::Vector2d> residuals_W;
-    for (const HeldFix& held : fixes)
-      residuals_W.emplace_back(held.fix.p_W - smoother_.PoseAt(held.node).head<2>());
-    spread_scale_ = SpreadScale(residuals_W, Seconds(fixes.back().fix.t - fixes.front().fix.t),
-                                {.sd = sd, .correlation = params_.gps_correlation});
+  if (verdict.has_changed_group) {
+    fix_error_.RestartStay();
+    const std::size_t latest = std::min(fixes.size(), kMostToLearnAnew);
+    for (std::size_t i = fixes.size() - latest; i < fixes.size(); ++i)
+      LearnFrom(fixes[i], i > 0 ? fixes[i - 1].fix.t : fixes[i].fix.t);
+  } else if (verdict.is_believed) {
+    LearnFrom(fixes.back(), fixes.size() > 1 ? fixes[fixes.size() - 2].fix.t : fixes.back().fix.t);
   }
-  return std::hypot(spread_scale_, std::sqrt(consensus_.DoubtVariance()) / sd);
+}
+
+void PoseChain::LearnFrom(const HeldFix& held, double since) {
+  const OdometryTrack& track = measurements_.track();
+  const double begin = std::clamp(since, std::min(track.first_time(), held.fix.t), held.fix.t);
+  const double drift = track.Between(std::max(begin, held.fix.t - kLongestReckoning), held.fix.t)
+                           .variance.head<2>()
+                           .mean();
+  fix_error_.Add({.t = held.fix.t, .off_W = held.off_W, .sd = held.fix.sd, .drift = drift});
+}
+
+bool PoseChain::WeighAnew() {
+  const std::size_t fixes = consensus_.believed().size();
+  if (fixes % kLearnEvery == 0) fix_scale_ = fix_error_.Scale();
+  const double sd = consensus_.believed().back().fix.sd, doubt = consensus_.DoubtVariance();
+  const double is = std::hypot(fix_scale_, std::sqrt(doubt) / sd);
+  const double was = std::hypot(stay_.scale, std::sqrt(stay_.doubt_variance) / sd);
+  const double step = fixes > kMostToLearnAnew ? kEarlierScaleStep : kScaleStep;
+  if (is <= step * was && is >= was / step) return false;
+  stay_.scale = fix_scale_;
+  stay_.doubt_variance = doubt;
+  return true;
 }
 
 void PoseChain::RetakeFixes() {
-  for (const TakenFix& fix : taken_)
+  for (const TakenFix& fix : stay_.taken)
     smoother_.RemoveTerm(fix.term);
-  taken_.clear();
-  row_.times.clear();
+  stay_.taken.clear();
+  stay_.row.times.clear();
   for (const HeldFix& held : consensus_.believed()) {
-    taken_.push_back({.held = held});
-    row_.times.push_back(held.fix.t);
+    stay_.taken.push_back({.held = held});
+    stay_.row.times.push_back(held.fix.t);
   }
   NoteFixes();
-  for (std::size_t i = 0; i < taken_.size(); ++i)
-    taken_[i].term = AddFixTerm(i);
+  for (std::size_t i = 0; i < stay_.taken.size(); ++i)
+    stay_.taken[i].term = AddFixTerm(stay_, i);
+}
+
+void PoseChain::ReweighEarlierStays() {
+  for (Stay& stay : earlier_stays_) {
+    const double change = fix_scale_ / stay.scale;
+    if (change < kEarlierScaleStep && change > 1.0 / kEarlierScaleStep) continue;
+    stay.scale = fix_scale_;
+    for (std::size_t i = 0; i < stay.taken.size(); ++i) {
+      smoother_.RemoveTerm(stay.taken[i].term);
+      stay.taken[i].term = AddFixTerm(stay, i);
+    }
+  }
 }
 
 void PoseChain::TakeFix(const HeldFix& held) {
-  taken_.push_back({.held = held});
-  row_.times.push_back(held.fix.t);
+  stay_.taken.push_back({.held = held});
+  stay_.row.times.push_back(held.fix.t);
   NoteFixes();
-  for (std::size_t i = row_.FirstChangedByTheLast(); i < taken_.size(); ++i) {
-    if (i + 1 < taken_.size()) smoother_.RemoveTerm(taken_[i].term);
-    taken_[i].term = AddFixTerm(i);
+  for (std::size_t i = stay_.row.FirstChangedByTheLast(); i < stay_.taken.size(); ++i) {
+    if (i + 1 < stay_.taken.size()) smoother_.RemoveTerm(stay_.taken[i].term);
+    stay_.taken[i].term = AddFixTerm(stay_, i);
   }
 }
 
 void PoseChain::NoteFixes() {
   has_fix_ = true;
-  last_fix_t_ = row_.times.back();
-  if (before_stay_t_) row_.gap_before = row_.times.front() - *before_stay_t_;
+  last_fix_t_ = stay_.row.times.back();
+  if (before_stay_t_) stay_.row.gap_before = stay_.row.times.front() - *before_stay_t_;
 }
 
-TermId PoseChain::AddFixTerm(std::size_t number) {
-  const HeldFix& held = taken_[number].held;
-  const Meters sigma(fix_scale_ * held.fix.sd / std::sqrt(row_.WorthOf(number)));
-  return smoother_.AddTerm(held.node, Term::OnPose(GpsFactor(held.fix.p_W, sigma)));
+TermId PoseChain::AddFixTerm(const Stay& stay, std::size_t number) {
+  const auto& [t, p_W, sd] = stay.taken[number].held.fix;
+  const double scaled = std::hypot(stay.scale * sd, std::sqrt(stay.doubt_variance));
+  const Meters sigma(scaled / std::sqrt(stay.row.WorthOf(number)));
+  return smoother_.AddTerm(stay.taken[number].held.node, Term::OnPose(GpsFactor(p_W, sigma)));
 }
 
 OdometryStep PoseChain::StepTo(double t) const {

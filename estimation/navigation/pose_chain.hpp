@@ -8,6 +8,7 @@
 
 #include "estimation/navigation/depth_errors.hpp"
 #include "estimation/navigation/fix_consensus.hpp"
+#include "estimation/navigation/fix_error_belief.hpp"
 #include "estimation/navigation/fix_worth.hpp"
 #include "estimation/navigation/measurement_buffer.hpp"
 #include "estimation/navigation/navigator_params.hpp"
@@ -54,12 +55,20 @@ class PoseChain {
   [[nodiscard]] Pose DeadReckoned(double t) const;
   [[nodiscard]] const OdometryErrors& errors() const { return errors_; }
   [[nodiscard]] const DepthErrors& depth_errors() const { return depth_errors_; }
+  [[nodiscard]] const FixErrorBelief& fix_error() const { return fix_error_; }
 
  private:
   /// A fix that is in the smoother.
   struct TakenFix {
     HeldFix held;
     TermId term{};
+  };
+  /// Fixes of one stay at the surface.
+  struct Stay {
+    FixRow row{};
+    std::vector<TakenFix> taken{};
+    double scale = 1.0;           ///< sigma of what wanders, over what they state
+    double doubt_variance = 0.0;  ///< because other fixes may be the right ones [m^2]
   };
   void AddTilt(int node, double t);
   /// A fix of the antenna as one of the body's origin, turned as the node is now known to be.
@@ -71,15 +80,20 @@ class PoseChain {
   /// too.
   [[nodiscard]] bool IsLevel(double t) const;
   /// Dead reckoning has the vehicle at `reckoned_D` [m].
-  void BeginStay(const Eigen::Vector2d& reckoned_D);
-  /// Sigma of this stay's fixes over what they state.
-  [[nodiscard]] double StayScale();
-  /// All that are believed in place of those that were.
+  void BeginStay(const PositionFix& first, const Eigen::Vector2d& reckoned_D);
+  /// What the fixes that are believed now say of their error.
+  void LearnFixError(const FixConsensus::Verdict& verdict);
+  void LearnFrom(const HeldFix& held, double since);
+  /// How sure fixes are has changed since those of this stay were taken.
+  [[nodiscard]] bool WeighAnew();
+  /// All of this stay that are believed in place of those that were.
   void RetakeFixes();
+  /// Those of earlier stays, where they are believed otherwise than when they were taken.
+  void ReweighEarlierStays();
   /// What fixes before it are worth changes with that.
   void TakeFix(const HeldFix& held);
   void NoteFixes();
-  [[nodiscard]] TermId AddFixTerm(std::size_t number);
+  [[nodiscard]] TermId AddFixTerm(const Stay& stay, std::size_t number);
 
   const NavigatorParams& params_;
   Smoother& smoother_;
@@ -89,10 +103,11 @@ class PoseChain {
   std::vector<double> times_;  ///< of the nodes
   PersistenceGate depth_gate_;
   FixConsensus consensus_;
-  FixRow row_;                   ///< fixes of this stay
-  std::vector<TakenFix> taken_;  ///< fixes of this stay, with their terms
+  FixErrorBelief fix_error_;
+  double fix_scale_ = 1.0;  ///< sigma of what wanders of fixes, over what they state
+  Stay stay_;               ///< the latest
+  std::vector<Stay> earlier_stays_;
   std::optional<double> last_fix_t_, before_stay_t_;
-  double fix_scale_ = 1.0, spread_scale_ = 1.0;  ///< of their sigma; by their spread alone
   bool has_fix_ = false;
   int refused_before_ = 0;                          ///< fixes, before this stay
   Eigen::Vector3d p_WD_ = Eigen::Vector3d::Zero();  ///< of the track's frame at the start, in W

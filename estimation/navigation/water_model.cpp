@@ -20,6 +20,8 @@ constexpr double kLongStretch = 10.0, kShortStretch = 5.0;  // [s]
 constexpr double kBridgeNoise = 0.01;                       // [m/sqrt(s)]
 constexpr double kSurprise = 9.0;  // squared innovation over covariance, of two: 1 in 90
 
+constexpr double kStopped = 0.3, kGoing = 0.7;  // shares of the usual speed
+
 double Squared(double x) { return x * x; }
 
 }  // namespace
@@ -118,7 +120,18 @@ void WaterModel::LearnHabit(double t) {
   const double off_usual = x_(kAhead) - usual_;
   spread_ += t_ ? share * (Squared(off_usual) - spread_) : 0.0;
   usual_ += share * off_usual;
-  if (under_way > 0.5 * params_.departure.value()) fastest_ = std::max(fastest_, std::abs(usual_));
+  if (under_way > 0.5 * params_.departure.value()) {
+    CountStops(t_ ? std::min(AgeAt(t), 1.0) : 0.0);
+    fastest_ = std::max(fastest_, std::abs(usual_));
+  }
+}
+
+void WaterModel::CountStops(double seconds) {
+  const double speed = std::abs(x_(kAhead));
+  const bool has_stopped = is_going_ && speed < kStopped * fastest_;
+  stops_ += has_stopped ? 1.0 : 0.0;
+  is_going_ = !has_stopped && (is_going_ || speed > kGoing * fastest_);
+  under_way_ += is_going_ ? seconds : 0.0;
 }
 
 double WaterModel::UntoldSpeed() const {

@@ -116,6 +116,17 @@ class WaterModel {
   /// little of the bridge.
   [[nodiscard]] Eigen::Vector2d EndVariance(double seconds, const Conduct& conduct) const;
 
+  /// Speed ahead through the water at `t` of a vehicle that is taken to go on as it did [m/s]; 0 if
+  /// its commands are known, or a start is expected of it anyway.
+  [[nodiscard]] double HabitualSpeed(double t) const {
+    return driven_B_ || !t_ || UntoldSpeed() > 0.0 ? 0.0 : SpeedAt(t);
+  }
+
+  /// How often it stops while it is under way, as seen so far [1/s].
+  [[nodiscard]] double StopRate() const {
+    return (kStopsBefore + stops_) / (kUnderWayBefore + under_way_);
+  }
+
   [[nodiscard]] WaterState StateAt(double t, const Conduct& conduct) const;
   /// False until a first velocity has come.
   [[nodiscard]] bool has_velocity() const { return t_.has_value(); }
@@ -147,6 +158,7 @@ class WaterModel {
   /// Share of its variance that is new after `seconds`.
   [[nodiscard]] double LostIn(double seconds) const;
   void LearnHabit(double t);
+  void CountStops(double seconds);
   [[nodiscard]] double AgeAt(double t) const;
   /// Share of a change of what the thrusters make that may be untrue, squared.
   [[nodiscard]] double UntrueShare() const;
@@ -169,6 +181,10 @@ class WaterModel {
   std::optional<double> departed_;      ///< last at the surface, or without any velocity [s]
   double usual_ = 0.0, fastest_ = 0.0;  ///< speed ahead, and the most of that under water
   double spread_ = 0.0;                 ///< variance about it [m^2/s^2]
+  /// Of a vehicle of which nothing is known: half a stop in an hour [s].
+  static constexpr double kStopsBefore = 0.5, kUnderWayBefore = 3600.0;
+  bool is_going_ = false;
+  double stops_ = 0.0, under_way_ = 0.0;  ///< under water; for how long it was not standing [s]
   std::optional<Trial> trial_;
   double error_variance_;  ///< of a predicted velocity, besides [m^2/s^2]
 };

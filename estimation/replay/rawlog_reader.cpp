@@ -10,6 +10,8 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -69,6 +71,7 @@ class RawlogRows {
         {.name = name_ + ": meta", .lines = Split(comment.text, '\n'), .damage = {}});
     if (!meta) throw BadLine{meta.error().text};
     stream_.meta = *std::move(meta);
+    has_meta_ = true;
     return true;
   }
   bool Take(const CObservationIMU& imu) {
@@ -130,6 +133,8 @@ class RawlogRows {
     }
     return some.sensorLabel == rawlog::kBoxes && TakeBoxes(some);
   }
+  /// True once it is one of those that we write.
+  [[nodiscard]] bool has_meta() const { return has_meta_; }
 
  private:
   /// MRPT copies what the file holds into `bool`s; to look at one that is neither is undefined.
@@ -204,6 +209,7 @@ class RawlogRows {
 
   SensorStream& stream_;
   std::string name_;
+  bool has_meta_ = false;
   Eigen::Vector3d sigma_{0.0047, 0.0047, 0.0175};  // [rad] of an attitude that says none
 };
 
@@ -221,6 +227,12 @@ class RawlogParser {
       at = TakeObject(at);
     for (const auto& [kind, count] : passed_over_)
       stream_.left_out.push_back(fmt::format("{}: {} {} passed over", name_, count, kind));
+    if (again_ > 0) {
+      stream_.left_out.push_back(fmt::format(
+          "{}: byte {} of {}: an observation came before, bit for bit; {} such {} dropped: each "
+          "counts once",
+          name_, first_again_, bytes_.size(), again_, again_ == 1 ? "was" : "were"));
+    }
     if (damaged_ > 0) {
       stream_.left_out.push_back(fmt::format("{}: damaged in {} {}; {}", name_, damaged_,
                                              damaged_ == 1 ? "place" : "places", first_damage_));
@@ -252,6 +264,11 @@ class RawlogParser {
     try {
       T object;
       mrpt::serialization::archiveFrom(input) >> object;
+      const std::string_view whole = bytes_.substr(at, input.getPosition());
+      if (IsOnce(object) && !taken_.insert(whole).second) {
+        if (again_++ == 0) first_again_ = at;
+        return at + whole.size();
+      }
       if (!rows_.Take(object)) ++passed_over_[std::string(kind) + " `" + object.sensorLabel + "`"];
       return at + input.getPosition();
     } catch (const BadLine& bad) {
@@ -268,6 +285,13 @@ class RawlogParser {
     }
     return next;
   }
+  /// True of a measurement that need not come twice. What is said of all that follows may be said
+  /// again; and in other people's rawlogs whose stamps are coarse two that are alike may be two.
+  template <class T>
+  [[nodiscard]] bool IsOnce(const T& object) const {
+    return rows_.has_meta() && !std::is_same_v<T, CObservationComment> &&
+           object.sensorLabel != rawlog::kAttitudeSigma;
+  }
   void NoteDamage(std::size_t at, const std::string& why) {
     if (damaged_++ == 0) first_damage_ = fmt::format("byte {} of {}: {}", at, bytes_.size(), why);
   }
@@ -280,6 +304,8 @@ class RawlogParser {
   bool is_in_foreign_ = false;  ///< what follows may be the rest of an object of another class
   int damaged_ = 0;
   std::string first_damage_;
+  std::unordered_set<std::string_view> taken_;
+  std::size_t again_ = 0, first_again_ = 0;  ///< that came before; byte of the first
 };
 
 }  // namespace

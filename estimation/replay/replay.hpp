@@ -52,6 +52,7 @@ struct ReplayResult {
   NavigatorCounts counts;
   SourceUse sources;     ///< of the stream's further sensors
   bool has_fix = false;  ///< that was believed; else places count from the start
+  std::optional<FixErrorBelief::Ratio> fix_error = {};  ///< sigma of fixes over what they state
   std::optional<double> surface_reading = {};  ///< of the depth sensor, where fixes came [m]
 };
 

@@ -290,6 +290,10 @@ JointCovariance ArrowSmoother::CovarianceOf(const std::vector<int>& nodes,
   return limpet::CovarianceOf({.nodes = nodes, .slots = slots}, chain_, estimates_, root_);
 }
 
+std::vector<NavCovariance> ArrowSmoother::PoseCovariances() const {
+  return limpet::PoseCovariances(chain_, root_);
+}
+
 std::vector<Eigen::Matrix3d> ArrowSmoother::BorderCovariances(const std::vector<int>& slots) const {
   if (std::ranges::any_of(slots, [this](int slot) { return chain_.IsClosed(slot); })) {
     return limpet::BorderCovariances(slots, chain_, estimates_, root_);

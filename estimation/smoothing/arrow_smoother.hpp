@@ -67,6 +67,7 @@ class ArrowSmoother final : public Smoother {
                                              const std::vector<int>& slots) const override;
   [[nodiscard]] std::vector<Eigen::Matrix3d> BorderCovariances(
       const std::vector<int>& slots) const override;
+  [[nodiscard]] std::vector<NavCovariance> PoseCovariances() const override;
 
  private:
   int AddBorderVariable(const Eigen::Vector3d& start, BorderKind kind);

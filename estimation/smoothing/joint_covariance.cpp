@@ -91,7 +91,61 @@ class MarginalCollector {
   std::vector<Eigen::Matrix3d> covariances_;
 };
 
+/// Collects covariances of poses, each alone, on the way down.
+class PoseCollector {
+ public:
+  explicit PoseCollector(const ArrowChain& chain)
+      : chain_(chain), covariances_(AsIndex(chain.open_leaf().head() + 1)) {}
+
+  void Collect(const CovarianceDescent& root) {
+    Take(root, chain_.open_leaf());
+    Follow(root, 0, chain_.tree().size(), 0);
+  }
+  [[nodiscard]] std::vector<NavCovariance> Result() && { return std::move(covariances_); }
+
+ private:
+  /// Leaves `first` to `end` - 1. REQUIRES: all have the same way so far, and it has been gone.
+  void Follow(const CovarianceDescent& above, int first, int end, std::size_t depth) {
+    while (first < end) {
+      const std::vector<const ArrowStretch*> path = chain_.tree().PathTo(first);
+      if (depth >= path.size()) {
+        Take(above, chain_.tree().leaf(first++));
+        continue;
+      }
+      const ArrowStretch* stretch = path[depth];
+      int next = first + 1;
+      for (; next < end; ++next) {
+        const std::vector<const ArrowStretch*> way = chain_.tree().PathTo(next);
+        if (depth >= way.size() || way[depth] != stretch) break;
+      }
+      // While joins wait, a stretch may depend on more than those above it know of.
+      CovarianceDescent here = chain_.tree().is_fresh() ? above.At(*stretch) : above;
+      here.Place(*stretch);
+      Follow(here, first, next, depth + 1);
+      first = next;
+    }
+  }
+  void Take(CovarianceDescent descent, const ArrowLeaf& leaf) {
+    if (leaf.head() > leaf.anchor()) descent.WalkInto(leaf, leaf.anchor() + 1);
+    for (int node = leaf.anchor(); node <= leaf.head(); ++node) {
+      const Eigen::Index row = descent.RowOf(node);
+      covariances_[AsIndex(node)] = descent.S().block<6, 6>(row, row);
+    }
+  }
+
+  const ArrowChain& chain_;
+  std::vector<NavCovariance> covariances_;
+};
+
 }  // namespace
+
+std::vector<NavCovariance> PoseCovariances(const ArrowChain& chain, const ArrowRoot& root) {
+  LIMPET_REQUIRE(chain.has_begun(), "a first update");
+  const ArrowLeaf& open = chain.open_leaf();
+  PoseCollector collector(chain);
+  collector.Collect({root.WholeCovariance(), root.slots(), open.anchor(), open.head()});
+  return std::move(collector).Result();
+}
 
 std::vector<Eigen::Matrix3d> BorderCovariances(const std::vector<int>& slots,
                                                const ArrowChain& chain,

@@ -26,6 +26,11 @@ struct VariableList {
                                                              const ArrowEstimates& estimates,
                                                              const ArrowRoot& root);
 
+/// Of all poses, each alone: down the tree once, with what the leaves below depend on.
+/// REQUIRES: an update has been.
+[[nodiscard]] std::vector<NavCovariance> PoseCovariances(const ArrowChain& chain,
+                                                         const ArrowRoot& root);
+
 /// Of the newest pose and border variables that are not closed: the root's alone.
 [[nodiscard]] JointCovariance HeadCovariance(const std::vector<int>& slots,
                                              const ArrowEstimates& estimates,

@@ -84,6 +84,8 @@ class Smoother {
   /// Of border variables, each alone.
   [[nodiscard]] virtual std::vector<Eigen::Matrix3d> BorderCovariances(
       const std::vector<int>& slots) const = 0;
+  /// Of all poses that the last Update knew, each alone: work that grows as their number does.
+  [[nodiscard]] virtual std::vector<NavCovariance> PoseCovariances() const = 0;
   [[nodiscard]] NavCovariance PoseCovariance(int node) const { return CovarianceOf({node}, {}); }
 };
 

@@ -22,6 +22,7 @@ namespace limpet {
 struct FormerFrame {
   double changed = 0.125;                ///< share of the objects that went, and as many came
   double shift_m = 0.0, turn_deg = 0.0;  ///< half to all of it, to any side
+  bool is_of_another_place = false;      ///< nothing of it is here
 };
 
 struct EarlierSession {
@@ -52,6 +53,7 @@ inline EarlierSession EarlierOf(StreamScene& scene, const FormerFrame& frame) {
   first.seed += 100000;
   scene.gone = scene.came =
       std::max(static_cast<int>(std::lround(frame.changed * scene.objects)), 1);
+  if (frame.is_of_another_place) first.place += 50000;
   const SimulatedStream session = SimulateStream(first);
   const ReplayResult result =
       Replay(session.stream, ParamsForStream(session.stream.meta), [] { return 0.0; });
@@ -64,8 +66,8 @@ inline EarlierSession EarlierOf(StreamScene& scene, const FormerFrame& frame) {
   Eigen::Matrix3d R = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   EarlierSession earlier;
   for (const Landmark& l : result.landmarks) {
-    if (const auto id = TrueIdAt(l.object.p_W, alignment, session.truth))
-      earlier.true_ids[l.id] = *id;
+    const auto id = TrueIdAt(l.object.p_W, alignment, session.truth);
+    if (id && !frame.is_of_another_place) earlier.true_ids[l.id] = *id;
     const Eigen::Vector3d p =
         R * l.object.p_W + shift * Eigen::Vector3d(std::cos(way), std::sin(way), 0.0);
     earlier.former.ids.push_back(l.id);

@@ -61,12 +61,13 @@ inline void AddHeadings(const StreamScene& plain, std::vector<ErrorScene>& scene
 }
 
 inline void AddRest(const StreamScene& plain, std::vector<ErrorScene>& scenes) {
-  StreamScene beams = plain, bursts = plain, depth = plain, gps = plain, tide = plain,
+  StreamScene beams = plain, bursts = plain, depth = plain, gps = plain, poor = plain, tide = plain,
               twice = plain;
   beams.errors.dvl.beams = {.loss_share = 0.1, .slope_bias = 0.1};
   bursts.errors.dvl.bursts = {.per_h = 20.0, .longest = Seconds(10.0)};
   depth.errors.depth.pressure = {.offset = Meters(0.3), .trend_m_per_h = 0.2};
   gps.errors.gps.multipath = {.walk = Meters(1.0), .jumps_per_h = 240.0};
+  poor.true_fix_error = 4.0;
   tide.long_dropouts = 5;
   tide.current_mps = 0.3;
   tide.tide = TidalCurrentParams{.tide_period = Seconds(900.0),
@@ -81,6 +82,7 @@ inline void AddRest(const StreamScene& plain, std::vector<ErrorScene>& scenes) {
   scenes.push_back({"false_velocity", "20 false velocities an hour, of 2 to 10 s", bursts});
   scenes.push_back({"pressure", "depth 0.3 m off, growing by 0.2 m an hour", depth});
   scenes.push_back({"gps_jumps", "fixes wander by 1 m and jump by 10 m", gps});
+  scenes.push_back({"poor_fixes", "fixes wander by 2 m where 0.5 m is stated", poor});
   scenes.push_back({"tide", "current that swings in 15 minutes, five long dropouts", tide});
   scenes.push_back({"twice", "noise of DVL, depth, tilt and boxes twice the stated", twice});
 }

@@ -3,12 +3,14 @@
 // [--former] [--details]: the estimator on simulated sessions, one line each, and their summary
 // with NEES and update times. --oracle adds what a detector without mistakes would give; --former
 // gives each session what an earlier one over the same place left: since then an eighth of the
-// objects are gone, and as many came (--changed SHARE: another share); --shift M and --turn DEG put
-// that earlier one into a frame of its own, so far off at most, and count how many objects are
-// recognised. --silent FROM,TO takes the DVL's lock away from one time [s] to another, and tells
-// how far off the vehicle was taken to be at its end and 30 s after; --standing FROM,TO has the
-// vehicle stand meanwhile. --markdown writes docs/navigation-honesty.md, --errors its last table
-// alone, both with a line per session on the error output.
+// objects are gone, and as many came (--changed SHARE: another share; --another: nothing of it is
+// here); --shift M and --turn DEG put that earlier one into a frame of its own, so far off at most,
+// and count how many objects are recognised. --silent FROM,TO takes the DVL's lock away from one
+// time [s] to another, and tells how far off the vehicle was taken to be at its end and 30 s after;
+// --standing FROM,TO has the vehicle stand meanwhile. --fixes FACTOR has fixes wander by so much
+// more than they state.
+// --markdown writes docs/navigation-honesty.md, --errors its last table alone, both with a line per
+// session on the error output.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -139,6 +141,7 @@ struct Options {
   bool has_oracle = false, has_details = false, has_former = false, is_markdown = false;
   FormerFrame former_frame{};
   std::optional<Interval> silent{}, standing{};
+  double fix_error = 1.0;
 };
 
 /// Of the vehicle's place at the end of what was silenced, as told just before and 30 s after.
@@ -293,6 +296,7 @@ std::vector<Outcome> RunScene(const Options& options) {
     const EarlierSession earlier =
         options.has_former ? EarlierOf(scene, options.former_frame) : EarlierSession{};
     scene.standing = options.standing;
+    scene.true_fix_error *= options.fix_error;
     SimulatedStream session = SimulateStream(scene);
     if (options.silent) session.stream = WithoutVelocity(session.stream, *options.silent);
     outcomes.push_back(PrintSession(session, earlier, seed, options));
@@ -347,6 +351,8 @@ int main(int argc, char** argv) {
       options.has_oracle = true;
     } else if (word == "--former") {
       options.has_former = true;
+    } else if (word == "--another") {
+      options.former_frame.is_of_another_place = true;
     } else if (word == "--details") {
       options.has_details = true;
     } else if (word == "--markdown") {
@@ -365,6 +371,8 @@ int main(int argc, char** argv) {
       options.former_frame.turn_deg = std::stod(argv[++i]);
     } else if (i + 1 < argc && word == "--silent") {
       options.silent = IntervalOf(argv[++i]);
+    } else if (i + 1 < argc && word == "--fixes") {
+      options.fix_error = std::stod(argv[++i]);
     } else if (i + 1 < argc && word == "--standing") {
       options.standing = IntervalOf(argv[++i]);
     } else if (i + 1 < argc && word == "--seeds") {

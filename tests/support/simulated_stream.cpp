@@ -254,7 +254,8 @@ class Recorder {
   SlowNoise roll_error_{random_, 0.004 * scene_.noise, 30.0};
   SlowNoise pitch_error_{random_, 0.004 * scene_.noise, 30.0};
   SlowNoise yaw_bias_{random_, scene_.yaw_bias_degph* kRadians / 3600.0, 3600.0};
-  SlowNoise gps_x_{random_, 0.5, 120.0}, gps_y_{random_, 0.5, 120.0};
+  SlowNoise gps_x_{random_, 0.5 * scene_.true_fix_error, 120.0},
+      gps_y_{random_, 0.5 * scene_.true_fix_error, 120.0};
   double yaw_error_ = 0.0, scale_ = 1.0, misalign_ = 0.0, depth_bias_ = 0.0, short_gap_end_ = -1.0,
          last_fix_t_ = 0.0;
   Eigen::Vector3d dvl_bias_ = Eigen::Vector3d::Zero();

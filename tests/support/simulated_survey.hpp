@@ -43,6 +43,7 @@ struct StreamScene {
   double dvl_period_s = 0.2;
   double noise = 1.0;  ///< of DVL, depth and tilt, over the usual; the rows state it
   double resurface_every_s = 0.0;
+  double true_fix_error = 1.0;  ///< of what wanders of fixes, over the usual 0.5 m; none is told
   std::optional<Interval> standing{};  ///< times [s] in which the vehicle does not go ahead
   std::uint64_t place = 0;             ///< seed of the seabed and what stands on it; 0: `seed`
   int gone = 0, came = 0;    ///< of the place's objects, the first are gone, and others came since

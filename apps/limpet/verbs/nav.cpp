@@ -41,7 +41,8 @@ Command NavForm() {
       .about =
           "Runs the estimator alone on a recorded sensor stream (a folder with meta.csv and "
           "stream.csv.gz, or a rawlog of MRPT) and writes online.csv, online_covariance.csv "
-          "(of its places), smoothed.csv, states.csv (current and speed through the water, what "
+          "(of its places), smoothed.csv (with 1-sigmas of place and heading), states.csv (current "
+          "and speed through the water, what "
           "sensors are off by), landmarks.csv, landmarks_covariance.csv, associations.csv and "
           "timing.json into DIR. Of a log of MOOS it makes a track from "
           "NAV_HEADING, NAV_SPEED and NAV_DEPTH and compares it with NAV_X and NAV_Y. With --check "
@@ -250,6 +251,11 @@ std::string DoubtSummary(const ReplayResult& result) {
   std::string text;
   if (!result.has_fix)
     text += "no GPS fix was used: places count from the start, taken for the origin\n";
+  if (result.fix_error && result.fix_error->is_too_large()) {
+    text += fmt::format(
+        "fixes wander {:.1f} times as far as they state: they are believed as far as they show\n",
+        result.fix_error->mean);
+  }
   if (result.surface_reading) {
     text += fmt::format(
         "the depth sensor read {:.1f} m where fixes came, and no antenna is out of the water "
@@ -266,8 +272,14 @@ std::string DoubtSummary(const ReplayResult& result) {
   return text;
 }
 
-bool WriteResults(const Arguments& given, const ReplayResult& result, const FormerSession& former,
-                  const std::string& timing) {
+struct Results {
+  ReplayResult replay;
+  std::vector<Eigen::Vector4d> smoothed_sigmas{};
+  std::string timing{};
+};
+
+bool WriteResults(const Arguments& given, const Results& results, const FormerSession& former) {
+  const ReplayResult& result = results.replay;
   const fs::path out = *given.Find("out");
   std::error_code error;
   fs::create_directories(out, error);
@@ -275,14 +287,14 @@ bool WriteResults(const Arguments& given, const ReplayResult& result, const Form
       Write(out / "online.csv", PosesCsv(result.online)) &&
       Write(out / "online_covariance.csv",
             PlaceCovariancesCsv(result.online, result.online_covariance_W)) &&
-      Write(out / "smoothed.csv", PosesCsv(result.smoothed)) &&
+      Write(out / "smoothed.csv", SmoothedCsv(result.smoothed, results.smoothed_sigmas)) &&
       Write(out / "states.csv", StatesCsv(result.states)) &&
       Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
       Write(out / "landmarks_covariance.csv",
             LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&
       (former.ids.empty() || Write(out / "matches.csv", MatchesCsv(result.landmarks))) &&
       Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
-      Write(out / "timing.json", timing);
+      Write(out / "timing.json", results.timing);
   const std::string name = fs::path(given.positionals().front()).lexically_normal().filename();
   return is_written &&
          (!given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
@@ -318,18 +330,23 @@ int ReplayStream(const Arguments& given) {
   }
   const auto thread_time = [] { return ThreadTime().value(); };
   const double start = thread_time();
-  const ReplayResult result =
-      Replay(stream, params->navigator, thread_time, {}, former, params->sensors);
-  const std::string timing = TimingJson(result.update_s, thread_time() - start);
+  Results results;
+  const auto take_sigmas = [&results](const Navigator& navigator) {
+    results.smoothed_sigmas = navigator.SmoothedSigmas();
+  };
+  results.replay =
+      Replay(stream, params->navigator, thread_time, take_sigmas, former, params->sensors);
+  const ReplayResult& result = results.replay;
+  results.timing = TimingJson(result.update_s, thread_time() - start);
   if (result.smoothed.empty()) {
     fmt::print(stderr, "{}: no pose could be estimated (no attitude)\n",
                given.positionals().front());
     return kFailed;
   }
 
-  const bool is_written = WriteResults(given, result, former, timing);
+  const bool is_written = WriteResults(given, results, former);
   if (given.Has("json")) {
-    fmt::print("{}", timing);
+    fmt::print("{}", results.timing);
   } else {
     fmt::print(
         "{} poses, {} landmarks; {}\nrefused: {} rows, {} velocities, {} depths, {} fixes, "

@@ -11,12 +11,31 @@
 
 namespace limpet {
 
+namespace {
+
+std::string PoseCells(const SmoothedPose& pose) {
+  const Pose& X = pose.X_WB;
+  return fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}", pose.t, X.p_WB.x(),
+                     X.p_WB.y(), X.p_WB.z(), X.roll, X.pitch, X.yaw);
+}
+
+}  // namespace
+
 std::string PosesCsv(const std::vector<SmoothedPose>& poses) {
   std::string text = "t,x,y,z,roll,pitch,yaw\n";
-  for (const SmoothedPose& pose : poses) {
-    const Pose& X = pose.X_WB;
-    text += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f}\n", pose.t, X.p_WB.x(),
-                        X.p_WB.y(), X.p_WB.z(), X.roll, X.pitch, X.yaw);
+  for (const SmoothedPose& pose : poses)
+    text += PoseCells(pose) + "\n";
+  return text;
+}
+
+std::string SmoothedCsv(const std::vector<SmoothedPose>& poses,
+                        const std::vector<Eigen::Vector4d>& sigmas) {
+  LIMPET_REQUIRE(poses.size() == sigmas.size(), "sigmas of each pose");
+  std::string text = "t,x,y,z,roll,pitch,yaw,sd_x,sd_y,sd_z,sd_yaw\n";
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Vector4d& sd = sigmas[i];
+    text += fmt::format("{},{:.4g},{:.4g},{:.4g},{:.4g}\n", PoseCells(poses[i]), sd.x(), sd.y(),
+                        sd.z(), sd.w());
   }
   return text;
 }

@@ -57,7 +57,7 @@ class NavVerbTest : public ::testing::Test {
 
 TEST_F(NavVerbTest, WritesPosesLandmarksAssociationsAndTiming) {
   EXPECT_EQ(Run({folder_.path().string(), "--out", (folder_.path() / "out").string()}), kOk);
-  EXPECT_THAT(Text("smoothed.csv"), HasSubstr("t,x,y,z,roll,pitch,yaw\n"));
+  EXPECT_THAT(Text("smoothed.csv"), HasSubstr("t,x,y,z,roll,pitch,yaw,sd_x,sd_y,sd_z,sd_yaw\n"));
   EXPECT_THAT(Text("landmarks.csv"), HasSubstr("id,x,y,z,sd_x,sd_y,sd_z,class,looks\n"));
   EXPECT_THAT(Text("timing.json"), HasSubstr("\"p99_ms\""));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out/map.svg"));
@@ -305,7 +305,7 @@ TEST_F(NavVerbOfMoosTest, ReckonsATrackAndComparesItWithTheVehiclesOwn) {
   EXPECT_EQ(Run({log_.string(), "--out", out_, "--vehicle", "feelhippo.yaml"}), kOk);
   EXPECT_THAT(output_, HasSubstr("against the recording's own places: 0."));
   EXPECT_THAT(output_, HasSubstr("of a path of 159."));
-  EXPECT_THAT(Text("smoothed.csv"), HasSubstr("t,x,y,z,roll,pitch,yaw\n"));
+  EXPECT_THAT(Text("smoothed.csv"), HasSubstr("t,x,y,z,roll,pitch,yaw,sd_x,sd_y,sd_z,sd_yaw\n"));
 }
 
 TEST_F(NavVerbOfMoosTest, SaysWhatItHadToAssume) {

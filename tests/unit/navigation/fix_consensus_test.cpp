@@ -2,20 +2,17 @@
 #include "estimation/navigation/fix_consensus.hpp"
 
 #include <cmath>
-#include <vector>
+#include <cstdint>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
-#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
 
-using namespace literals;
-
 constexpr double kSd = 0.5;  // [m]
-const FixError kStated{.sd = kSd, .correlation = 120.0_s};
 const FixPrediction kHere{.off_W = Eigen::Vector2d::Zero(),
                           .covariance_W = 0.04 * Eigen::Matrix2d::Identity()};
 
@@ -95,40 +92,28 @@ TEST_F(FixConsensusTest, AStayEndsWhenNoFixHasComeForLong) {
   EXPECT_TRUE(consensus_.IsNewStay(t_ + 100.0));
 }
 
-/// Errors of a stay's fixes: white ones, and some that stay alike for about two minutes.
-std::vector<Eigen::Vector2d> Errors(double white, double slow, Random& random) {
-  const double keep = std::exp(-1.0 / 120.0), change = slow * std::sqrt(1.0 - keep * keep);
-  Eigen::Vector2d wander(random.Normal(slow), random.Normal(slow));
-  std::vector<Eigen::Vector2d> errors;
-  for (int i = 0; i < 45; ++i) {
-    wander = keep * wander + Eigen::Vector2d(random.Normal(change), random.Normal(change));
-    errors.emplace_back(wander + Eigen::Vector2d(random.Normal(white), random.Normal(white)));
+/// How many fixes of `seconds` whose error wanders by this sigma, for about two minutes, are one
+/// group's, and how many are refused.
+std::pair<int, int> Wandering(double sigma, double seconds, std::uint64_t seed) {
+  Random random(seed, "fixes");
+  FixConsensus consensus;
+  consensus.BeginStay(std::nullopt);
+  const double keep = std::exp(-1.0 / 120.0), change = sigma * std::sqrt(1.0 - keep * keep);
+  Eigen::Vector2d off(random.Normal(sigma), random.Normal(sigma));
+  for (double t = 0.0; t < seconds; t += 1.0) {
+    off = keep * off + Eigen::Vector2d(random.Normal(change), random.Normal(change));
+    consensus.Add({.fix = {.t = t, .p_W = off, .sd = 0.4}, .off_W = off});
   }
-  return errors;
+  return {static_cast<int>(consensus.believed().size()), static_cast<int>(consensus.refused())};
 }
 
-TEST(SpreadScale, GrowsWhereFixesWanderMoreThanTheyState) {
-  Random random(3, "fixes");
-  double usual = 0.0, worse = 0.0;
-  for (int i = 0; i < 200; ++i) {
-    usual += SpreadScale(Errors(0.25, 0.4, random), 44.0_s, kStated) / 200.0;
-    worse += SpreadScale(Errors(0.25, 1.6, random), 44.0_s, kStated) / 200.0;
+TEST(FixConsensus, FixesThatWanderFiveTimesAsFarAsTheyStateAreNoJumps) {
+  int believed = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto [taken, left] = Wandering(2.0, 300.0, seed);
+    believed += taken, refused += left;
   }
-  EXPECT_LT(usual, 1.2);
-  EXPECT_GT(worse, 1.8);
-}
-
-TEST(SpreadScale, LeavesOutWhatDiffersFromFixToFix) {
-  Random random(4, "fixes");
-  double scale = 0.0;  // of 0.4 m that wander and 0.3 m that do not: 0.5 m in all
-  for (int i = 0; i < 200; ++i)
-    scale += SpreadScale(Errors(0.3, 0.4, random), 44.0_s, kStated) / 200.0;
-  EXPECT_LT(scale, 1.0);
-  EXPECT_GT(scale, 0.75);
-}
-
-TEST(SpreadScale, FewFixesSayNothing) {
-  EXPECT_EQ(SpreadScale({{0.0, 0.0}, {9.0, 9.0}}, 1.0_s, kStated), 1.0);
+  EXPECT_LT(refused, believed / 100);
 }
 
 }  // namespace

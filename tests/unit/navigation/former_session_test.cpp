@@ -331,6 +331,19 @@ TEST(FormerSessionTie, LetsGoOfALandmarkThatHasComeInDoubt) {
   EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
 }
 
+TEST(FormerSessionTie, TwoThatLieAlikeAmongManyThatDoNotAreChance) {
+  FormerSessionTie tie({});
+  tie.SetFormer(Former());
+  std::vector<Eigen::Vector2d> places{kPlaces[0], kPlaces[1]};
+  for (int i = 0; i < 30; ++i)
+    places.emplace_back(-40.0 - 3.0 * (i / 6), 20.0 + 5.0 * (i % 6));
+  ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
+  EXPECT_FALSE(tie.prior()) << "of this place more would be known";
+  places.resize(4);
+  ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
+  EXPECT_TRUE(tie.prior()) << "two of four";
+}
+
 TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());

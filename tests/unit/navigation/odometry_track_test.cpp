@@ -181,6 +181,18 @@ TEST_F(OdometryTrackTest, ADropoutInTurnsIsBridgedWithWhatTurningDoes) {
   EXPECT_NEAR((moved - (p - p_at_dropout)).norm(), 0.0, 0.15) << "of 15 m";
 }
 
+TEST_F(OdometryTrackTest, InADropoutAVehicleUnderWayMayHaveStopped) {
+  Drive(0.0, 120.0);
+  EXPECT_EQ(track_.At(119.9).stop_covariance_D.trace(), 0.0);
+  Drive(120.0, 160.0, false);
+  // On a circle of 5 m no stop puts it further off than that.
+  const Eigen::Matrix2d S = track_.At(159.9).stop_covariance_D;
+  EXPECT_GT(std::sqrt(S.trace()), 0.25);
+  EXPECT_LT(std::sqrt(S.trace()), 0.75);
+  Drive(160.0, 161.0);
+  EXPECT_EQ(track_.At(160.9).stop_covariance_D.trace(), 0.0) << "its velocity tells";
+}
+
 TEST_F(OdometryTrackTest, SinksAtTheGivenRateInADropout) {
   Drive(0.0, 20.0);
   EXPECT_FALSE(track_.DropoutAge(track_.last_time()));

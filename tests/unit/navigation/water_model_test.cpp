@@ -165,6 +165,20 @@ TEST_F(WaterModelTest, AVehicleThatStandsAmidItsWayMayGoOn) {
   EXPECT_GT(model_.BridgeCovariance(t_, conduct_)(2, 2), 0.3 * 0.3);
 }
 
+TEST_F(WaterModelTest, AVehicleThatStopsNowAndThenIsExpectedToStopAgain) {
+  speed_ = 0.5;
+  Survey(300.0);
+  const double before = model_.StopRate();
+  EXPECT_LT(before, 1.0 / 7000.0) << "it never has";
+  for (int i = 0; i < 3; ++i) {
+    speed_ = 0.0;
+    Survey(20.0);
+    speed_ = 0.5;
+    Survey(60.0);
+  }
+  EXPECT_GT(model_.StopRate(), 5.0 * before);
+}
+
 TEST_F(WaterModelTest, WhatTheVehicleDidAtTheSurfaceIsNoHabitOfItsDive) {
   speed_ = 0.1;
   Survey(60.0);

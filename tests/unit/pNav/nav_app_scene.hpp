@@ -47,7 +47,8 @@ class NavAppTest : public ::testing::Test {
         link_.Send(*app_, topics::kDepthSensor, depth_);
       }
       if (has_gps_ && step_ % 50 == 0) {
-        link_.Send(*app_, topics::kGpsData, GpsFix{.north = 10.0, .east = east_, .sd = 0.4});
+        link_.Send(*app_, topics::kGpsData,
+                   GpsFix{.north = 10.0 + gps_off_, .east = east_, .sd = 0.4});
       }
       if (step_ % 5 == 0) {
         app_->Tick(link_.time);
@@ -89,7 +90,8 @@ class NavAppTest : public ::testing::Test {
   int step_ = 0;
   double east_ = 20.0;
   bool has_gps_ = true;
-  double depth_ = 1.0;  ///< as the sensor reads it [m]
+  double gps_off_ = 0.0;  ///< of fixes, north [m]
+  double depth_ = 1.0;    ///< as the sensor reads it [m]
 };
 
 }  // namespace limpet

@@ -211,6 +211,20 @@ TEST_F(NavAppTest, WarnsOfAFixThatCannotBe) {
   EXPECT_FALSE(app_->warnings().contains("GPS_REFUSED"));
 }
 
+TEST_F(NavAppTest, WarnsOfFixesThatWanderFartherThanTheyState) {
+  RunFor(40.0);
+  EXPECT_FALSE(app_->warnings().contains("GPS_WORSE"));
+  const double sure = link_.Last(topics::kNavState)->sd_north;
+  for (int i = 0; i < 60; ++i) {
+    gps_off_ += (i * 7 % 5 < 3) == (i < 30) ? 0.35 : -0.25;
+    RunFor(1.0);
+  }
+  EXPECT_TRUE(app_->warnings().contains("GPS_WORSE"));
+  EXPECT_FALSE(app_->warnings().contains("GPS_REFUSED"));
+  EXPECT_GT(link_.Last(topics::kNavState)->sd_north, 2.0 * sure)
+      << "nor is the place known so well";
+}
+
 TEST_F(NavAppTest, WarnsOfACompassThatSwingsAsTheVehicleTurns) {
   const auto turn_for = [this](double seconds, double swing) {
     for (int i = 0; i < static_cast<int>(50.0 * seconds); ++i, ++step_) {

@@ -172,6 +172,14 @@ TEST(Rawlog, RowsWhoseTimeIsNoneAreCounted) {
   EXPECT_EQ(ToRawlog(stream).untimely_rows, 1);
 }
 
+TEST(Rawlog, WhatComesAgainBitForBitCountsOnce) {
+  const std::string bytes = EveryRowUnpacked();
+  const auto twice = ParseRawlog(bytes + bytes, "x.rawlog");
+  ASSERT_TRUE(twice.has_value());
+  EXPECT_EQ(RowsOf(*twice), RowsOf(EveryRow()));
+  EXPECT_THAT(twice->left_out, ElementsAre(HasSubstr("12 such were dropped: each counts once")));
+}
+
 TEST(Rawlog, CutInItsLastObservationKeepsWhatComesBeforeAndSaysSo) {
   const std::string bytes = EveryRowUnpacked();
   const auto stream = ParseRawlog(std::string_view(bytes).substr(0, bytes.size() - 20), "x.rawlog");

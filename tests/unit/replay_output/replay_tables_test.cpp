@@ -16,6 +16,13 @@ TEST(ReplayTables, PosesAreInNedSecondsMetresAndRadians) {
             "t,x,y,z,roll,pitch,yaw\n12.500,1.0000,-2.0000,3.2500,0.00000,0.00000,-0.50000\n");
 }
 
+TEST(ReplayTables, SmoothedPosesHaveTheirSigmasAtTheEnd) {
+  SmoothedPose pose{.t = 12.5, .X_WB = {}};
+  EXPECT_EQ(SmoothedCsv({pose}, {{0.25, 0.5, 0.125, 0.01}}),
+            "t,x,y,z,roll,pitch,yaw,sd_x,sd_y,sd_z,sd_yaw\n"
+            "12.500,0.0000,0.0000,0.0000,0.00000,0.00000,0.00000,0.25,0.5,0.125,0.01\n");
+}
+
 TEST(ReplayTables, StatesHaveALineEachWithTheirSigma) {
   EXPECT_EQ(StatesCsv({{.t = 1.0, .states = {{"current_north", 0.03, 0.01}, {"delay", 0.2, 0.05}}},
                        {.t = 2.0, .states = {}}}),

@@ -50,6 +50,17 @@ class RandomGraphTest : public ::testing::TestWithParam<int> {
     const Eigen::MatrixXd joint = smoother_.CovarianceOf(nodes, graph_.slots);
     EXPECT_LT((joint - expected).cwiseQuotient(sd * sd.transpose()).lpNorm<Eigen::Infinity>(),
               1e-5);
+    const std::vector<NavCovariance> alone = smoother_.PoseCovariances();
+    ASSERT_EQ(alone.size(), static_cast<std::size_t>(count));
+    for (int node = 0; node < count; ++node) {
+      const NavCovariance one = all.block<6, 6>(6 * node, 6 * node);
+      const NavVector scale = one.diagonal().cwiseSqrt();
+      EXPECT_LT((alone[static_cast<std::size_t>(node)] - one)
+                    .cwiseQuotient(scale * scale.transpose())
+                    .lpNorm<Eigen::Infinity>(),
+                1e-5)
+          << node;
+    }
   }
 
   ArrowSmoother smoother_;
