@@ -214,7 +214,8 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
 bool FormerSessionTie::IsOfThisPlace(const SessionMatch& match,
                                      const std::vector<ObjectEstimate>& candidates,
                                      const Eigen::Matrix4d& now_frame) const {
-  const auto known = std::ranges::count_if(match.now_of_former, [](int now) { return now >= 0; });
+  const auto known =
+      std::ranges::count_if(match.now_of_former, [](const auto& now) { return now.has_value(); });
   const double came = static_cast<double>(candidates.size()) - static_cast<double>(known);
   return EvidenceOf(match, candidates, now_frame) > -came * std::log(kCame);
 }

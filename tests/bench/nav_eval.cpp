@@ -90,7 +90,7 @@ void Print(const Evaluation& e) {
     const Eigen::Matrix3d& cov_W = l.object.cov_W;
     fmt::print("    {} ({:.2f}, {:.2f}, {:.2f}) sd ({:.2f}, {:.2f}, {:.2f}) looks {} class {}\n",
                l.id, p.x(), p.y(), p.z(), std::sqrt(cov_W(0, 0)), std::sqrt(cov_W(1, 1)),
-               std::sqrt(cov_W(2, 2)), l.looks, l.object.color);
+               std::sqrt(cov_W(2, 2)), l.detections, l.object.color);
   }
   fmt::print(
       "  update median {:.4f}  99 % {:.3f}  max {:.2f} ms; total {:.3f} s; {:.2f} kB per 5 Hz "
