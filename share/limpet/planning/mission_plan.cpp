@@ -19,6 +19,9 @@ namespace {
 constexpr double kStaleTrack = 3.0;
 /// Share by which the swath may change before a plan is sought anew.
 constexpr double kOtherSwath = 0.03;
+/// A plan whose looks are worth so much less of what they might be than the last one's is sought
+/// anew [m].
+constexpr double kLostLooks = 50.0;
 /// So much of a plan stands against what others offer [m].
 constexpr double kOwnPart = 25.0;
 /// Plans begin otherwise if they lead so far apart over that.
@@ -201,12 +204,15 @@ TourCost MissionPlan::Renew(TourJudge& judge) {
     Replan(judge);
   } else if (params_.first_edits > 0) {
     search_.Improve(judge, plan_, params_.edits);
+    if (LeftOutBy(plan_) > left_out_m_ + kLostLooks) Replan(judge);
   }
+  left_out_m_ = LeftOutBy(plan_);
   const TourCost renewed = judge.Cost(plan_);
   plan_.resize(std::min(plan_.size(), judge.passes_needed()));
   return renewed;
 }
 
+/// Lanes, lanes behind looks at the targets, and the plan as it is and behind such looks.
 std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
   std::vector<SurveyTour> seeds = LaneTours(judge, params_.lanes);
   const SurveyTour looks =
@@ -217,6 +223,14 @@ std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
     std::ranges::move(LaneTours(judge, params_.lanes, looks), std::back_inserter(seeds));
   }
   seeds.resize(std::min(seeds.size(), count));
+  if (plan_.empty()) return seeds;
+  seeds.push_back(plan_);
+  if (!looks.empty() && params_.first_edits > 0) {
+    SurveyTour behind_looks = looks;
+    std::ranges::copy(plan_, std::back_inserter(behind_looks));
+    DropIdlePasses(judge, behind_looks);
+    seeds.push_back(std::move(behind_looks));
+  }
   return seeds;
 }
 
@@ -225,10 +239,18 @@ bool MissionPlan::SeesOtherwise() const {
   return std::abs(now_.ground->swath() / planned_swath_ - 1.0) > kOtherSwath;
 }
 
+double MissionPlan::LeftOutBy(const SurveyTour& tour) const {
+  const Objective& others = now_.goal.others;
+  if (others.targets.empty()) return 0.0;
+  double left_out = -TargetValueOf(FromHere(tour).path, others);
+  for (const Target& target : others.targets)
+    left_out += target.value;
+  return now_.goal.others_weight * left_out;
+}
+
 void MissionPlan::Replan(TourJudge& judge) {
   planned_swath_ = now_.ground->swath();
   std::vector<SurveyTour> seeds = Seeds(judge);
-  if (!plan_.empty()) seeds.push_back(plan_);
   const int edits = params_.first_edits / 2;
   std::vector<CostedTour> found;
   for (SurveyTour& seed : seeds) {

@@ -58,6 +58,8 @@ class MissionPlan {
   /// What a new plan is sought from.
   [[nodiscard]] std::vector<SurveyTour> Seeds(TourJudge& judge) const;
   [[nodiscard]] bool SeesOtherwise() const;
+  /// What looks at all targets now would be worth beyond those that it has [m].
+  [[nodiscard]] double LeftOutBy(const SurveyTour& tour) const;
   void Replan(TourJudge& judge);
   [[nodiscard]] FlownTour FromHere(const SurveyTour& tour) const;
   void OfferPlan(const SurveyTour& plan, const TourCost& cost, std::vector<Option>& options);
@@ -82,6 +84,7 @@ class MissionPlan {
   std::size_t cells_of_area_ = 0;
   std::size_t obstacle_mark_ = 0;     ///< of the region that the plan keeps to
   double planned_swath_ = 0.0;        ///< of the ground when the plan was last sought anew [m]
+  double left_out_m_ = 0.0;           ///< LeftOutBy of the plan at the last decision
   std::vector<FlownTour> completed_;  ///< the options of this decision
   FlownTour chosen_;                  ///< what is flown, with its path
   double chosen_at_ = 0.0;            ///< [m travelled]

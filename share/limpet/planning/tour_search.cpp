@@ -10,12 +10,13 @@
 namespace limpet {
 namespace {
 
-constexpr double kShift = 0.7;     ///< sigma of a shift to the side [m]
-constexpr double kStretch = 2.0;   ///< sigma of what an end is moved by [m]
-constexpr double kTurned = 0.15;   ///< sigma of what a pass is turned by [rad]
-constexpr double kNewPass = 6.0;   ///< longest pass that is added [m]
-constexpr double kBeside = 0.2;    ///< sine of the angle up to which passes are parallel
-constexpr double kCoolest = 0.03;  ///< share of the warmth that is left at the end
+constexpr double kShift = 0.7;      ///< sigma of a shift to the side [m]
+constexpr double kStretch = 2.0;    ///< sigma of what an end is moved by [m]
+constexpr double kTurned = 0.15;    ///< sigma of what a pass is turned by [rad]
+constexpr double kNewPass = 6.0;    ///< longest pass that is added [m]
+constexpr double kLookAside = 0.7;  ///< share of a look's window that a pass is beside a target
+constexpr double kBeside = 0.2;     ///< sine of the angle up to which passes are parallel
+constexpr double kCoolest = 0.03;   ///< share of the warmth that is left at the end
 
 /// Moves the begin of a pass along it by `by` [m], its end by `end_by`.
 Pass Stretched(const Pass& pass, double by, double end_by) {
@@ -69,8 +70,12 @@ SurveyTour TourSearch::Edited(const TourJudge& judge, const SurveyTour& tour) {
                                                &TourSearch::StretchOne,  &TourSearch::TurnOne,
                                                &TourSearch::FlipOne,     &TourSearch::MoveOne,
                                                &TourSearch::ReverseRun,  &TourSearch::DropOne};
-  const auto kind = static_cast<std::size_t>(random_.Index(kEdits.size() + 1));
-  if (edited.empty() || kind == kEdits.size()) {
+  // Targets move in the map, and slip out of passes that were meant for them.
+  const std::size_t added = judge.goal().others.targets.empty() ? 1 : 2;
+  const auto kind = static_cast<std::size_t>(random_.Index(kEdits.size() + added));
+  if (kind > kEdits.size()) {
+    AddLook(judge, edited);
+  } else if (edited.empty() || kind == kEdits.size()) {
     AddOne(judge, edited);
   } else {
     (this->*kEdits[kind])(edited);
@@ -151,6 +156,21 @@ void TourSearch::AddOne(const TourJudge& judge, SurveyTour& tour) {
   const double length = random_.Uniform(0.0, kNewPass);
   const auto to = static_cast<std::ptrdiff_t>(random_.Index(tour.size() + 1));
   tour.insert(tour.begin() + to, {.in = Advance(at, 0.0, -0.5 * length), .length = length});
+}
+
+/// Straight on from the pass before it, or on any course.
+void TourSearch::AddLook(const TourJudge& judge, SurveyTour& tour) {
+  const std::vector<Target>& targets = judge.goal().others.targets;
+  const Target& target = targets[static_cast<std::size_t>(random_.Index(targets.size()))];
+  const double share = random_.Uniform(0.0, 1.0);  // looks are worth less the later they come
+  const auto to = static_cast<std::size_t>(share * share * static_cast<double>(tour.size() + 1));
+  const Pose2 from = to == 0 ? judge.start() : tour[to - 1].out();
+  const double straight = std::atan2(target.east - from.east, target.north - from.north);
+  const double any = random_.Uniform(-std::numbers::pi, std::numbers::pi);
+  const double yaw = random_.Chance(0.5) ? straight : any;
+  const double aside = kLookAside * target.window.half_across * random_.Uniform(-1.0, 1.0);
+  const Pose2 at{target.north - aside * std::sin(yaw), target.east + aside * std::cos(yaw), yaw};
+  tour.insert(tour.begin() + static_cast<std::ptrdiff_t>(to), {.in = at, .length = 0.0});
 }
 
 }  // namespace limpet

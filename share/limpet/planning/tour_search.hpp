@@ -10,8 +10,8 @@ namespace limpet {
 
 /// Random edits of a tour, each judged over the whole tour: passes are shifted, alone or with all
 /// beside them, turned, lengthened, shortened, reversed, moved, left out, or added where something
-/// is unseen; runs of them are flown the other way round. Worse tours are gone on from while it is
-/// warm (simulated annealing).
+/// is unseen or over a target, sooner rather than later; runs of them are flown the other way
+/// round. Worse tours are gone on from while it is warm (simulated annealing).
 class TourSearch {
  public:
   /// `warmth`: at first, tours that are about this much longer are gone on from.
@@ -31,6 +31,7 @@ class TourSearch {
   void ReverseRun(SurveyTour& tour);
   void DropOne(SurveyTour& tour);
   void AddOne(const TourJudge& judge, SurveyTour& tour);
+  void AddLook(const TourJudge& judge, SurveyTour& tour);
   [[nodiscard]] std::size_t Any(const SurveyTour& tour) {
     return static_cast<std::size_t>(random_.Index(tour.size()));
   }

@@ -2,6 +2,7 @@
 #include "limpet/planning/mission_plan.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,30 @@ TEST(MissionPlan, LanesAreCutShorterWhereTheRegionHasBecomeNarrower) {
   ASSERT_FALSE(after.empty());
   EXPECT_TRUE(survey.region.Contains(after[0].path));
   EXPECT_GT(survey.TopAfter(after[0].path), 0.9);
+}
+
+/// Once the sessions' maps are joined, former objects lie elsewhere: no longer where the plan was
+/// to look at them.
+TEST(MissionPlan, LooksAtATargetThatHasMovedOffItsWay) {
+  const BegunSurvey survey;
+  const Target target{.north = 0.0, .east = -12.0, .window = {0.7, 0.7}, .value = 250.0};
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    MissionPlan plan({.first_edits = 800, .edits = 60}, Random(seed));
+    MissionPlan::Task now = survey.At(scene::kStart);
+    now.goal.others.targets = {target};
+    const Option chosen = OffersAt(plan, now)[0];
+    ASSERT_TRUE(FirstLook(chosen.path.Prefix(40.0), target));
+    plan.OnChoice(chosen);
+    MissionPlan::Task later = survey.At(chosen.path.At(8.0), 8.0);
+    for (const double aside : {-5.0, 5.0}) {
+      Target moved = target;
+      moved.east += aside;
+      later.goal.others.targets = {moved};
+      MissionPlan anew = plan;
+      EXPECT_TRUE(FirstLook(OffersAt(anew, later)[0].path.Prefix(60.0), moved))
+          << "seed " << seed << ", " << aside << " m aside";
+    }
+  }
 }
 
 TEST(MissionPlan, SaysWhatItsRestLacksIfLessWasSeenThanMeant) {
