@@ -4,12 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "limpet/core/units.hpp"
-#include "limpet/topics/place_json.hpp"
 
 namespace limpet {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& p_W) {
+  return p_W ? OrderedJson{p_W->x(), p_W->y(), p_W->z()} : OrderedJson(nullptr);
+}
 
 OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& comparison) {
   return {{"decided", NameOf(object.decided)},

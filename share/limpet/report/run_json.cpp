@@ -8,7 +8,6 @@
 #include "limpet/core/frames.hpp"
 #include "limpet/report/report_json.hpp"
 #include "limpet/session/session_name.hpp"
-#include "limpet/topics/place_json.hpp"
 
 namespace limpet {
 namespace {
@@ -17,6 +16,10 @@ using OrderedJson = nlohmann::ordered_json;
 
 Eigen::Vector3d PointFrom(const OrderedJson& in) {
   return {in.at(0).get<double>(), in.at(1).get<double>(), in.at(2).get<double>()};
+}
+
+OrderedJson PlaceJson(const std::optional<Eigen::Vector3d>& place) {
+  return place ? OrderedJson{place->x(), place->y(), place->z()} : OrderedJson(nullptr);
 }
 
 OrderedJson ObstaclesJson(const Scenario& scenario) {
