@@ -301,6 +301,25 @@ bool WriteResults(const Arguments& given, const Results& results, const FormerSe
                                  Write(out / "map.svg", NavMapPlot(result, name))));
 }
 
+/// What came of it, in a few lines.
+std::string Summary(const NavInput& input, const ReplayResult& result,
+                    const FormerSession& former) {
+  const SensorStream& stream = input.stream;
+  std::string text = fmt::format(
+      "{} poses, {} landmarks; {}\nrefused: {} rows, {} velocities, {} depths, {} fixes, "
+      "{} late frames\n",
+      result.smoothed.size(), result.landmarks.size(), result.finish.reason,
+      stream.refused_rows + result.counts.stale_samples, result.counts.velocities,
+      result.counts.depths, result.counts.fixes, result.counts.late_frames);
+  if (stream.datum) {
+    text += fmt::format("north and east count from the first fix, {:.7f}, {:.7f}\n",
+                        stream.datum->latitude_deg, stream.datum->longitude_deg);
+  }
+  text += DoubtSummary(result);
+  if (!former.ids.empty()) text += FormerSummary(result, former);
+  return text + SourcesSummary(result.sources) + OwnTrackSummary(input, result);
+}
+
 int ReplayStream(const Arguments& given) {
   if (given.Has("check")) return CheckRecording(given);
   if (!given.Has("out")) throw UsageError("nav takes " + NavForm().takes);
@@ -348,19 +367,7 @@ int ReplayStream(const Arguments& given) {
   if (given.Has("json")) {
     fmt::print("{}", results.timing);
   } else {
-    fmt::print(
-        "{} poses, {} landmarks; {}\nrefused: {} rows, {} velocities, {} depths, {} fixes, "
-        "{} late frames\n",
-        result.smoothed.size(), result.landmarks.size(), result.finish.reason,
-        stream.refused_rows + result.counts.stale_samples, result.counts.velocities,
-        result.counts.depths, result.counts.fixes, result.counts.late_frames);
-    if (stream.datum) {
-      fmt::print("north and east count from the first fix, {:.7f}, {:.7f}\n",
-                 stream.datum->latitude_deg, stream.datum->longitude_deg);
-    }
-    fmt::print("{}", DoubtSummary(result));
-    if (!former.ids.empty()) fmt::print("{}", FormerSummary(result, former));
-    fmt::print("{}{}", SourcesSummary(result.sources), OwnTrackSummary(*input, result));
+    fmt::print("{}", Summary(*input, result, former));
   }
   return is_written ? kOk : kFailed;
 }

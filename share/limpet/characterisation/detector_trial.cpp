@@ -131,9 +131,10 @@ void MakeTrialPictures(const TrialPlan& plan, const std::function<void(const Tri
       TrialPicture picture{
           .image = renderer.Render(pose, solids, static_cast<std::uint32_t>(i), Seconds(0.3 * i)),
           .looks = {}};
-      for (const SolidLabel& label : renderer.labels())
+      for (const SolidLabel& label : renderer.labels()) {
         picture.looks.push_back(
             LookAt(pose, settings.scene.visibility_m, solids[label.solid], label));
+      }
       take(picture);
     }
     if (progress) progress(world + 1);

@@ -3,12 +3,10 @@
 
 #include <cstdint>
 
-namespace limpet {
-
 /// Ids of messages that are no write of a client.
-namespace message_id {
+namespace limpet::message_id {
+
 inline constexpr std::int32_t kLatest = -1;  ///< the latest value, sent because somebody registered
 inline constexpr std::int32_t kAnswer = -2;  ///< a request of the database, and the answer to it
-}  // namespace message_id
 
-}  // namespace limpet
+}  // namespace limpet::message_id

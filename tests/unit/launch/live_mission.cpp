@@ -78,9 +78,8 @@ std::string Edited(const std::string& text, std::uint16_t port,
 }  // namespace
 
 LiveMission::LiveMission(const Lines& run_options, const Lines& block_lines) {
-  Lines lines{
-      {"pSurvey", "  align_s = 1\n  last_fix_s = 0\n  home_radius_m = 50\n  surface_depth_m = 5"},
-      {"pPilot", "  AppTick = 50"}};
+  Lines lines{{"pSurvey", "  align_s = 1\n  last_fix_s = 0\n  home_radius_m = 50"},
+              {"pPilot", "  AppTick = 50"}};
   for (const auto& [process, text] : block_lines) {
     lines[process] = text;
   }
@@ -96,7 +95,7 @@ LiveMission::LiveMission(const Lines& run_options, const Lines& block_lines) {
   copy(kLiveSource / "missions" / "basin");
   const fs::path file = folder_.path() / "mission.moos";
   const std::string text = ExpandedText(WholeText(file), file);
-  std::ofstream(file) << Edited(text, port_, run_options, lines);
+  std::ofstream(file) << "surface_depth_m = 5\n" << Edited(text, port_, run_options, lines);
 }
 
 LiveMission::~LiveMission() {

@@ -54,9 +54,10 @@ TwoSessions MakeSessions(std::uint64_t seed) {
     };
     const bool is_former = i < 8, is_now = i < 6 || i >= 8;  // 6 stay, 2 go, 2 come
     if (is_former) made.former.push_back(Known(places[i] + noise(), color));
-    if (is_former)
+    if (is_former) {
       made.truth.push_back(is_now ? std::optional(static_cast<int>(made.now.size()))
                                   : std::nullopt);
+    }
     const Eigen::Vector3d shift(made.shift.x(), made.shift.y(), 0.0);
     if (is_now) made.now.push_back(Known(places[i] + shift + noise(), color));
   }
