@@ -236,7 +236,7 @@ TEST(CheckOutput, IsOneLineEachByFileAndLineWithACount) {
   const std::vector<std::string> lines = Split(checked.text, '\n');
   ASSERT_EQ(lines.size(), 5U) << checked.text;
   EXPECT_THAT(lines[0], HasSubstr("plug_pSurvey.moos:57: coverage_target"));
-  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:145: radius_m"));
+  EXPECT_THAT(lines[1], HasSubstr("plug_survey.bhv:146: radius_m"));
   EXPECT_THAT(lines[2], HasSubstr("mission.moos:7: MOOSTimeWarp"));
   EXPECT_EQ(lines[3], "3 problems");
 }

@@ -168,7 +168,8 @@ TEST_F(SourcesTest, FixesThatAreAllOffByTheSameMoveNobodyForSure) {
   const auto errors = navigator_->aiding().ErrorsOf(0);
   ASSERT_TRUE(errors);
   EXPECT_NEAR(errors->value.x(), off.x(), 3.0 * errors->sd.x());
-  EXPECT_LT(errors->sd.x(), 1.0) << "where it dived the receiver knew";
+  // One fix of 0.5 m, from a receiver that may be worse than it states.
+  EXPECT_LT(errors->sd.x(), 1.2) << "where it dived the receiver knew";
 }
 
 TEST_F(SourcesTest, ACompassHoldsAHeadingThatDriftsAndItsDeviationIsFound) {
