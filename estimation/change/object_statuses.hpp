@@ -32,7 +32,7 @@ struct StatusParams {
     detection.Describe(visit);
     looks.Describe(visit);
     priors.Describe(visit);
-    matching.DescribeOffset(visit);
+    matching.DescribeForGivenMatches(visit);
     visit("visibility_spread", visibility_spread,
           "The water's visibility may well be visibility_m times or by this factor",
           InRange(1.05, 10.0));

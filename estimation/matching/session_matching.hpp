@@ -37,7 +37,7 @@ struct MatchingParams {
   template <class V>
   void Describe(V& visit) {
     using namespace literals;
-    DescribeOffset(visit);
+    DescribeForGivenMatches(visit);
     visit("match_gate_sigmas", gate_sigmas, "Farther than this is another object",
           InRange(1.0, 10.0));
     visit("match_color_penalty", color_penalty, "Squared sigmas that another colour costs",
@@ -45,7 +45,7 @@ struct MatchingParams {
   }
   /// What is needed where matches are given: how the frames may lie, and how far objects move.
   template <class V>
-  void DescribeOffset(V& visit) {
+  void DescribeForGivenMatches(V& visit) {
     using namespace literals;
     visit("session_offset_sigma_m", offset_sigma,
           "Deviation of the shift between two sessions' frames, per axis", InRange(0.01_m, 50.0_m));

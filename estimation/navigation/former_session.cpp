@@ -245,7 +245,7 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   SessionMatch match = MatchOrSearch(candidates, split.frame);
   // One object alone ties nothing, and is its former self or not.
   if (candidates.size() > 1 && !IsOfThisPlace(match, candidates, split.frame))
-    std::ranges::fill(match.now_of_former, -1);
+    std::ranges::fill(match.now_of_former, std::nullopt);
   const std::vector<double> same_place = ChancesOfSamePlace(former_.objects, candidates, params_,
                                                             OffsetInformation(split.frame), match);
   offset_ = match.offset;

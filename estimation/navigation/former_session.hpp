@@ -86,12 +86,12 @@ class FormerSessionTie {
   [[nodiscard]] double EvidenceOf(const SessionMatch& match,
                                   const std::vector<ObjectEstimate>& candidates,
                                   const Eigen::Matrix4d& now_frame) const;
-  /// A search that found nothing is worth another with a tenth more of landmarks, or after a while.
   /// Of a place that the former session saw about half of the objects are its own: a few that lie
   /// alike among many that do not are chance.
   [[nodiscard]] bool IsOfThisPlace(const SessionMatch& match,
                                    const std::vector<ObjectEstimate>& candidates,
                                    const Eigen::Matrix4d& now_frame) const;
+  /// A search that found nothing is worth another with a tenth more of landmarks, or after a while.
   [[nodiscard]] bool IsTimeToSearch(std::size_t candidates);
   /// Of what neither session's fixes know of.
   [[nodiscard]] Eigen::Matrix4d DatumCovariance() const;

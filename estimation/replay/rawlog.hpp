@@ -33,9 +33,8 @@ struct PackedRawlog {
 
 /// `bytes` are unpacked; `name` is what errors call them. Also takes what is of these classes and
 /// fields in other people's rawlogs, in sensory frames too, and GGA of CObservationGPS, north and
-/// east of the first. What is of other classes, what is
-/// damaged, and in a rawlog of ours what comes again bit for bit, is passed over, and the stream
-/// says so.
+/// east of the first. What is of other classes, what is damaged, and in a rawlog of ours what comes
+/// again bit for bit, is passed over, and the stream says so.
 [[nodiscard]] Expected<SensorStream> ParseRawlog(std::string_view bytes, const std::string& name);
 /// The error names the file.
 [[nodiscard]] Expected<SensorStream> LoadRawlog(const std::filesystem::path& file);

@@ -13,6 +13,7 @@
 namespace limpet {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
 
 /// Joint covariance of places in a frame that may be off by `shift` [m] and `turn` [rad], each
@@ -339,6 +340,7 @@ TEST(FormerSessionTie, TwoThatLieAlikeAmongManyThatDoNotAreChance) {
     places.emplace_back(-40.0 - 3.0 * (i / 6), 20.0 + 5.0 * (i % 6));
   ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
   EXPECT_FALSE(tie.prior()) << "of this place more would be known";
+  EXPECT_THAT(tie.former_ids(), Each(std::nullopt));
   places.resize(4);
   ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
   EXPECT_TRUE(tie.prior()) << "two of four";
