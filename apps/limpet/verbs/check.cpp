@@ -14,11 +14,12 @@
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/dry_run_check.hpp"
-#include "apps/limpet/verbs/site_drawing.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/preflight/preflight.hpp"
 #include "limpet/runs/flown_mission.hpp"
 #include "limpet/runs/session_runner.hpp"
+#include "limpet/site/site_figure.hpp"
+#include "limpet/site/site_text.hpp"
 
 namespace limpet {
 namespace {

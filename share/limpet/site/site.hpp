@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The area that a mission surveys, drawn: as text for a terminal, as SVG.
+// What a mission surveys: its area, and what `limpet check` reckons of it.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
-#include "limpet/planning/region.hpp"
 #include "limpet/preflight/preflight.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
 namespace limpet {
 
-/// What is drawn of a mission, and what `check` reckons of it.
+/// What is drawn of a mission, and what is reckoned of it.
 struct Site {
   std::string name;
   SurveyArea area;
@@ -20,6 +19,9 @@ struct Site {
   double wanted_m2 = 0.0;           ///< ground to be seen
   double path_m = 0.0;              ///< lanes and turns
   double speed_mps = 0.0;           ///< 0: no behavior says it
+
+  /// In a line: the ground to be seen, the way it takes and the time.
+  [[nodiscard]] std::string Summary() const;
 };
 
 /// Nothing if the mission surveys no area, or none that can be read. `change`, if there is one, is
@@ -27,10 +29,12 @@ struct Site {
 [[nodiscard]] std::optional<Site> SiteOf(const std::filesystem::path& path,
                                          const MissionChange& change = {});
 
-/// North up, as wide as `columns`: `:` ground to be seen, `.` the rest of the operating region, `#`
-/// keep-out zones, `o` way points, `S` the start; under it what the letters that occur mean, and a
-/// line of figures.
-[[nodiscard]] std::string SiteText(const Site& site, int columns);
-[[nodiscard]] std::string SiteSvg(const Site& site);
+/// The box around the area, where the vehicle may be, the transit and the start; zones may reach
+/// beyond it.
+struct SiteBox {
+  PlanePoint low, high;
+  void Take(const PlanePoint& at);
+};
+[[nodiscard]] SiteBox BoxAround(const Site& site);
 
 }  // namespace limpet

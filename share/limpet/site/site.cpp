@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "limpet/site/site.hpp"
+
+#include <fmt/format.h>
+
+#include "limpet/preflight/survey_facts.hpp"
+
+namespace limpet {
+
+namespace fs = std::filesystem;
+
+std::string Site::Summary() const {
+  const std::string time =
+      speed_mps > 0.0 ? fmt::format(", {:.0f} s at {:g} m/s", path_m / speed_mps, speed_mps) : "";
+  return fmt::format("{:.0f} m2 to be seen; lanes and turns of about {:.0f} m{}", wanted_m2, path_m,
+                     time);
+}
+
+void SiteBox::Take(const PlanePoint& at) {
+  low = low.cwiseMin(at);
+  high = high.cwiseMax(at);
+}
+
+SiteBox BoxAround(const Site& site) {
+  const SurveyShape shape = *SurveyShape::Of(site.area);
+  SiteBox box{shape.outline().low(), shape.outline().high()};
+  if (shape.region()) {
+    box.Take(shape.region()->low());
+    box.Take(shape.region()->high());
+  } else {
+    const PlanePoint margin(shape.margin(), shape.margin());
+    box.Take(box.low - margin);
+    box.Take(box.high + margin);
+  }
+  for (const PlanePoint& at : shape.transit())
+    box.Take(at);
+  if (site.start) box.Take(*site.start);
+  return box;
+}
+
+std::optional<Site> SiteOf(const fs::path& path, const MissionChange& change) {
+  const fs::path file = MissionFileAt(path);
+  if (file.extension() != ".moos" || !fs::exists(file)) return std::nullopt;
+  try {
+    MissionFile mission = LoadMission(file);
+    if (change) change(mission);
+    const MissionReading reading(mission, file.parent_path());
+    const std::optional<SurveyFacts> facts = ReadSurveyFacts(reading);
+    if (!facts || facts->problem || facts->wanted_m2 <= 0.0) return std::nullopt;
+    Site site{.name = fs::weakly_canonical(file).parent_path().filename().string(),
+              .area = facts->area,
+              .start = {},
+              .wanted_m2 = facts->wanted_m2,
+              .path_m = EstimatePath(*facts, reading.Find("pSurvey", "coverage_kind")->text,
+                                     reading.Find("pSurvey", "coverage_target")->number())
+                            .total(),
+              .speed_mps = facts->speed.number()};
+    if (reading.scenario()) {
+      site.start.emplace(reading.scenario()->start.north_m, reading.scenario()->start.east_m);
+    }
+    return site;
+  } catch (const ConfigError&) {
+    return std::nullopt;  // the check says what is wrong
+  }
+}
+
+}  // namespace limpet
