@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/nav.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -23,8 +21,8 @@
 #include "estimation/replay/stream_meta.hpp"
 #include "limpet/console/command_output.hpp"
 #include "limpet/core/clock.hpp"
-#include "limpet/core/harmless_text.hpp"
 #include "limpet/replay_output/replay_plot.hpp"
+#include "limpet/replay_output/replay_summary.hpp"
 #include "limpet/replay_output/replay_tables.hpp"
 #include "limpet/safety/safety_rule.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
@@ -88,44 +86,6 @@ Command NavForm() {
       .most_words = 1};
 }
 
-/// From where on the safety rules call the place in doubt, 1-sigma of an axis [m].
-double HighSigma() { return SafetyRuleOf(SafetyRuleId::kSigmaHigh).limit.value; }
-
-/// When the place was in doubt while the session ran, beside what the start is.
-struct PlaceDoubt {
-  double seconds = 0.0;         ///< all together
-  double sigma = 0.0, t = 0.0;  ///< the worst 1-sigma of an axis [m], and when
-};
-
-std::optional<PlaceDoubt> WorstDoubt(const ReplayResult& result) {
-  if (result.online.empty()) return std::nullopt;
-  // A start that nothing places is in doubt for good, and said otherwise.
-  const double start = result.has_fix ? 0.0 : result.online_covariance_W.front()(0, 0);
-  PlaceDoubt doubt;
-  const double high = HighSigma();
-  bool was_known = !result.has_fix;  // before the first fix no place is
-  for (std::size_t i = 1; i < result.online.size(); ++i) {
-    const double variance = result.online_covariance_W[i].diagonal().head<2>().maxCoeff() - start;
-    was_known = was_known || variance <= high * high;
-    if (!was_known || variance <= high * high) continue;
-    doubt.seconds += result.online[i].t - result.online[i - 1].t;
-    if (std::sqrt(variance) > doubt.sigma)
-      doubt = {.seconds = doubt.seconds, .sigma = std::sqrt(variance), .t = result.online[i].t};
-  }
-  return doubt.seconds > 0.0 ? std::optional(doubt) : std::nullopt;
-}
-
-std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {
-  const auto matched = std::ranges::count_if(
-      result.landmarks, [](const Landmark& landmark) { return landmark.former_id.has_value(); });
-  const FrameOffset& offset = result.former_offset;
-  return fmt::format(
-      "former session: {} of {} objects recognised; its frame lies {:.2f} m north, {:.2f} m east, "
-      "{:.2f} m down, turned by {:.2f} deg\n",
-      matched, former.ids.size(), offset.shift_W.x(), offset.shift_W.y(), offset.down,
-      Radians(offset.turn).in_text_unit());
-}
-
 bool Write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
@@ -153,29 +113,6 @@ Expected<SourceFeed::Sources> SourcesFor(const Arguments& given) {
     return Error{error.what()};
   }
   return sources;
-}
-
-/// What became of the rows of further sensors: also of those that nobody heard.
-std::string SourcesSummary(const SourceUse& use) {
-  std::string text;
-  for (const ReplayedSource& one : use.sources) {
-    if (one.heard == 0) {
-      text += fmt::format("{}: no row of {}\n", one.name, one.variable);
-      continue;
-    }
-    text += fmt::format(
-        "{}: {} rows of {}; {} taken, {} refused, {} late, {} unused, {} that make no sense\n",
-        one.name, one.heard, one.variable, one.counts.taken, one.counts.refused, one.counts.late,
-        one.counts.unused, one.senseless);
-  }
-  for (const auto& [variable, rows] : use.unheard) {
-    text += fmt::format("{} rows of {} were not used: no source of --sources hears it\n", rows,
-                        HarmlessText(variable));
-  }
-  if (use.after_end > 0) {
-    text += fmt::format("{} rows of further sensors lie after the stream's end\n", use.after_end);
-  }
-  return text;
 }
 
 /// Somebody has taken the wrong file, or meta.csv is another vehicle's.
@@ -246,32 +183,6 @@ void PrintLosses(const SensorStream& stream) {
   if (stream.cut) fmt::print(stderr, "{}; what comes before was used\n", *stream.cut);
 }
 
-/// What the estimate itself says that it does not know.
-std::string DoubtSummary(const ReplayResult& result) {
-  std::string text;
-  if (!result.has_fix)
-    text += "no GPS fix was used: places count from the start, taken for the origin\n";
-  if (result.fix_error && result.fix_error->is_too_large()) {
-    text += fmt::format(
-        "fixes wander {:.1f} times as far as they state: they are believed as far as they show\n",
-        result.fix_error->mean);
-  }
-  if (result.surface_reading) {
-    text += fmt::format(
-        "the depth sensor read {:.1f} m where fixes came, and no antenna is out of the water "
-        "there: "
-        "it was not zeroed, or tells the absolute pressure; all depths are off by that\n",
-        *result.surface_reading);
-  }
-  if (const auto doubt = WorstDoubt(result)) {
-    text += fmt::format(
-        "the place was known to no better than {} m (1-sigma) for {:.0f} s, at worst to {:.0f} m "
-        "at {:.0f} s\n",
-        HighSigma(), doubt->seconds, doubt->sigma, doubt->t);
-  }
-  return text;
-}
-
 struct Results {
   ReplayResult replay;
   std::vector<Eigen::Vector4d> smoothed_sigmas{};
@@ -299,25 +210,6 @@ bool WriteResults(const Arguments& given, const Results& results, const FormerSe
   return is_written &&
          (!given.Has("plot") || (Write(out / "error.svg", NavErrorPlot(result, name)) &&
                                  Write(out / "map.svg", NavMapPlot(result, name))));
-}
-
-/// What came of it, in a few lines.
-std::string Summary(const NavInput& input, const ReplayResult& result,
-                    const FormerSession& former) {
-  const SensorStream& stream = input.stream;
-  std::string text = fmt::format(
-      "{} poses, {} landmarks; {}\nrefused: {} rows, {} velocities, {} depths, {} fixes, "
-      "{} late frames\n",
-      result.smoothed.size(), result.landmarks.size(), result.finish.reason,
-      stream.refused_rows + result.counts.stale_samples, result.counts.velocities,
-      result.counts.depths, result.counts.fixes, result.counts.late_frames);
-  if (stream.datum) {
-    text += fmt::format("north and east count from the first fix, {:.7f}, {:.7f}\n",
-                        stream.datum->latitude_deg, stream.datum->longitude_deg);
-  }
-  text += DoubtSummary(result);
-  if (!former.ids.empty()) text += FormerSummary(result, former);
-  return text + SourcesSummary(result.sources) + OwnTrackSummary(input, result);
 }
 
 int ReplayStream(const Arguments& given) {
@@ -367,7 +259,9 @@ int ReplayStream(const Arguments& given) {
   if (given.Has("json")) {
     fmt::print("{}", results.timing);
   } else {
-    fmt::print("{}", Summary(*input, result, former));
+    const double doubtful = SafetyRuleOf(SafetyRuleId::kSigmaHigh).limit.value;
+    fmt::print("{}{}", ReplaySummary(stream, result, former, doubtful),
+               OwnTrackSummary(*input, result));
   }
   return is_written ? kOk : kFailed;
 }
