@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: MIT
+// A SURVEY_AREA_REQUEST and the hash that it may begin with.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include "limpet/core/expected.hpp"
-#include "limpet/survey/simple_polygon.hpp"
-#include "limpet/survey/survey_params.hpp"
-#include "limpet/topics/mission.hpp"
+#include "limpet/survey/requested_area.hpp"
 
 namespace limpet {
 
 /// XXH3 of a SURVEY_AREA_REQUEST, less its own `hash=...,`.
 [[nodiscard]] std::string HashOfRequest(std::string_view text);
 
-/// What a request is judged by.
-struct AreaSetting {
-  const SurveyArea& area;                 ///< surveyed now
-  const SurveyParams& params;             ///< of the mission
-  std::optional<PlanePoint> vehicle_W{};  ///< where it is, if anybody knows
-  Meters object_radius{0.0};              ///< as far as the mission says it
-};
-
 /// The area that a SURVEY_AREA_REQUEST asks for. The error says why it cannot be: it came damaged,
-/// cannot be read, says what nothing knows, or cannot be surveyed.
+/// or RequestedArea refuses it.
 [[nodiscard]] Expected<SurveyArea> AreaRequested(std::string_view text, const AreaSetting& setting);
 
 }  // namespace limpet
