@@ -124,6 +124,16 @@ void CompareCameras(const MissionReading& reading, MissionProblems& found) {
   }
 }
 
+/// Boxes that pDetect keeps to itself are none that pNav could use.
+void CompareConfidences(const MissionReading& reading, MissionProblems& found) {
+  const auto published = reading.Find("pDetect", "min_confidence");
+  const auto used = reading.Find("pNav", "min_confidence");
+  if (!published || !used || published->number() <= used->number()) return;
+  found.notes.push_back(published->Refuse(
+      fmt::format("boxes below {} are not published, so that {} is without effect", published->text,
+                  used->Named())));
+}
+
 }  // namespace
 
 void CheckAgreement(const MissionReading& reading, MissionProblems& found) {
@@ -132,6 +142,7 @@ void CheckAgreement(const MissionReading& reading, MissionProblems& found) {
   }
   CompareWithVehicle(reading, found);
   CompareCameras(reading, found);
+  CompareConfidences(reading, found);
 
   std::vector<Setting> scenarios;
   for (const char* app : {"uSimVehicle", "uSimSensors", "uSimCamera"}) {

@@ -53,6 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
              {{PlugOf("pHelm"), "turning_radius_m", "survey_altitude_m = 4.0\n  turning_radius_m"}},
              0,
              {"no problems"}},
+        Slip{"DetectorKeepsWhatNavigationWouldUse",
+             {{PlugOf("pDetect"), "detector =", "min_confidence = 0.6\n  detector ="}},
+             0,
+             {"note: min_confidence: boxes below 0.6 are not published, so that pNav "
+              "min_confidence = 0.45 ("}},
         Slip{"ASlipInAGlobal",
              {{"mission.moos", "survey_altitude_m = 4", "survey_altitud_m = 4"}},
              2,
