@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Blocks of slow errors that are closed: they leave the border, and are estimated all the same.
+#include "estimation/smoothing/factors/slow_errors_factor.hpp"
+
 #include <optional>
 #include <vector>
 
@@ -9,7 +11,6 @@
 #include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
-#include "estimation/smoothing/factors/slow_errors_factor.hpp"
 #include "tests/support/batch_solver.hpp"
 
 namespace limpet {

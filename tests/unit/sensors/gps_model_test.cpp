@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "limpet/sensors/gps_model.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "limpet/sensors/gps_model.hpp"
 #include "tests/unit/sensors/statistics.hpp"
 
 namespace limpet {
