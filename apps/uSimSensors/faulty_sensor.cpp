@@ -25,9 +25,9 @@ void Garble(ImuSample& sample, Random& random) {
 }
 
 void Garble(DvlSample& sample, Random& random) {
-  constexpr double kOff = 5.0;  // [m/s]
+  constexpr double kVelocityGlitch = 5.0;  // [m/s]
   for (std::optional<double>* velocity : {&sample.u, &sample.v, &sample.w})
-    Shift(*velocity, random.Uniform(-kOff, kOff));
+    Shift(*velocity, random.Uniform(-kVelocityGlitch, kVelocityGlitch));
 }
 
 template <class Sample>

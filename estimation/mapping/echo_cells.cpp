@@ -40,9 +40,9 @@ void EchoCells::AddEcho(double t, const Eigen::Vector3d& end_W) {
 }
 
 bool EchoCells::IsPassed(const Cell& cell, const PosedSonar& sonar, const Eigen::Matrix3d& R_WB) {
-  constexpr double kBehind = 0.75;  // [m] so far behind the cell a beam must have gone
-  constexpr double kBeside = 0.1;   // [m] so near its echoes
-  constexpr double kAbove = 0.2;    // [m] so far above them it may have gone over it
+  constexpr double kBehind = 0.75;     // [m] so far behind the cell a beam must have gone
+  constexpr double kNearEchoes = 0.1;  // [m] so near its echoes
+  constexpr double kAbove = 0.2;       // [m] so far above them it may have gone over it
   const SonarPing& ping = sonar.ping;
   const Eigen::Vector3d off_B =
       R_WB.transpose() * (cell.p_W - Eigen::Vector3d(sonar.north, sonar.east, sonar.down));
@@ -50,7 +50,7 @@ bool EchoCells::IsPassed(const Cell& cell, const PosedSonar& sonar, const Eigen:
   const double bearing = std::atan2(off_B.y(), off_B.x());
   const double index = std::round((bearing - ping.first) / ping.step);
   if (!(index >= 0.0 && index < static_cast<double>(ping.ranges.size()))) return false;
-  if (distance * std::abs(bearing - ping.first - index * ping.step) > kBeside) return false;
+  if (distance * std::abs(bearing - ping.first - index * ping.step) > kNearEchoes) return false;
   const double depth_there = sonar.down + (R_WB * Eigen::Vector3d(off_B.x(), off_B.y(), 0.0)).z();
   if (depth_there < cell.shallowest - kAbove) return false;
   const double range = ping.ranges[static_cast<std::size_t>(index)];

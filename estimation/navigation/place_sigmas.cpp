@@ -22,7 +22,7 @@ void PlaceSigmas::Note(double t, const Eigen::Vector2d& p_W) {
 std::optional<int> PlaceSigmas::NodeBeside(int node) const {
   const auto at = static_cast<std::size_t>(node);
   std::optional<int> nearest;
-  double least = kBeside * kBeside;
+  double least = kSameGround * kSameGround;
   for (std::size_t i = 0; i < at && way_[i] <= way_[at] - kOtherPass; ++i) {
     const double off = (places_[i] - places_[at]).squaredNorm();
     if (off < least) {

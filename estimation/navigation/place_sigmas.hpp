@@ -18,7 +18,7 @@ namespace limpet {
 class PlaceSigmas {
  public:
   /// Poses so near to one another look at the same ground [m].
-  static constexpr double kBeside = 6.0;
+  static constexpr double kSameGround = 6.0;
   /// and are of two passes if there is so much way between them [m].
   static constexpr double kOtherPass = 12.0;
 

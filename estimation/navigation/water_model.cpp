@@ -13,7 +13,7 @@ namespace {
 enum Index { kAhead, kAbeam, kSwayPerRate, kNorth, kEast, kDriven };
 
 constexpr double kPause = 1.5;     // [s] without velocity that end a trial
-constexpr double kGone = 0.2;      // share of speed_sigma from which a vehicle is under way
+constexpr double kUnderWay = 0.2;  // share of speed_sigma from which a vehicle is under way
 constexpr double kStanding = 0.5;  // share of its usual speed below which a vehicle stands
 constexpr double kChange = 0.05;   // [m/s] of what the thrusters make: another stretch of a bridge
 constexpr double kLongStretch = 10.0, kShortStretch = 5.0;  // [s]
@@ -138,7 +138,7 @@ double WaterModel::UntoldSpeed() const {
   if (driven_B_) return 0.0;
   if (!t_) return params_.speed_sigma;
   const bool is_departing = *t_ - *departed_ < params_.departure.value();
-  const bool has_gone = fastest_ > kGone * params_.speed_sigma;
+  const bool has_gone = fastest_ > kUnderWay * params_.speed_sigma;
   const double cruise =
       is_departing || !has_gone ? std::max(params_.speed_sigma, fastest_) : fastest_;
   const double usual = std::abs(usual_);

@@ -227,8 +227,8 @@ std::optional<std::vector<PlanePoint>> LegsThrough(const FreeSpace& space, const
                                                    const PlanePoint& to) {
   if (!space.Contains(from) || !space.Contains(to)) return std::nullopt;
   if (IsStraightWayFree(space, from, to)) return std::vector<PlanePoint>{to};
-  constexpr double kOff = 1.0;  // [m]
-  std::vector<PlanePoint> chain = WaysTo(space, from, to, kOff).Chain();
+  constexpr double kClearance = 1.0;  // [m]
+  std::vector<PlanePoint> chain = WaysTo(space, from, to, kClearance).Chain();
   if (chain.empty()) chain = WaysTo(space, from, to, 0.0).Chain();
   if (chain.empty()) return std::nullopt;
   chain.push_back(to);

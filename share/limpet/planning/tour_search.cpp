@@ -10,13 +10,13 @@
 namespace limpet {
 namespace {
 
-constexpr double kShift = 0.7;      ///< sigma of a shift to the side [m]
-constexpr double kStretch = 2.0;    ///< sigma of what an end is moved by [m]
-constexpr double kTurned = 0.15;    ///< sigma of what a pass is turned by [rad]
-constexpr double kNewPass = 6.0;    ///< longest pass that is added [m]
-constexpr double kLookAside = 0.7;  ///< share of a look's window that a pass is beside a target
-constexpr double kBeside = 0.2;     ///< sine of the angle up to which passes are parallel
-constexpr double kCoolest = 0.03;   ///< share of the warmth that is left at the end
+constexpr double kShift = 0.7;         ///< sigma of a shift to the side [m]
+constexpr double kStretch = 2.0;       ///< sigma of what an end is moved by [m]
+constexpr double kTurned = 0.15;       ///< sigma of what a pass is turned by [rad]
+constexpr double kNewPass = 6.0;       ///< longest pass that is added [m]
+constexpr double kLookAside = 0.7;     ///< share of a look's window that a pass is beside a target
+constexpr double kParallelSine = 0.2;  ///< sine of the angle up to which passes are parallel
+constexpr double kCoolest = 0.03;      ///< share of the warmth that is left at the end
 
 /// Moves the begin of a pass along it by `by` [m], its end by `end_by`.
 Pass Stretched(const Pass& pass, double by, double end_by) {
@@ -99,7 +99,7 @@ void TourSearch::ShiftBeside(SurveyTour& tour) {
   for (Pass& pass : tour) {
     Pose2& in = pass.in;
     const double across = -(in.north - at.north) * sin + (in.east - at.east) * cos;
-    if (side * across < 0.0 || std::abs(std::sin(in.yaw - at.yaw)) > kBeside) continue;
+    if (side * across < 0.0 || std::abs(std::sin(in.yaw - at.yaw)) > kParallelSine) continue;
     in.north -= by * sin;
     in.east += by * cos;
   }
