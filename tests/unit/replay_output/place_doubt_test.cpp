@@ -16,7 +16,7 @@ ReplayResult KnownTo(const std::vector<double>& sigmas, bool has_fix = true) {
   result.has_fix = has_fix;
   for (const double sigma : sigmas) {
     result.online.push_back({.t = static_cast<double>(result.online.size()), .X_WB = {}});
-    result.online_covariance_W.push_back(sigma * sigma * Eigen::Matrix3d::Identity());
+    result.online_covariance_W.emplace_back(sigma * sigma * Eigen::Matrix3d::Identity());
   }
   return result;
 }

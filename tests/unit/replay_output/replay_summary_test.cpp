@@ -45,7 +45,7 @@ TEST(ReplaySummary, TellsWhereThePlaceWasInDoubt) {
   ReplayResult result = Fixed();
   for (const double t : {0.0, 1.0, 2.0, 4.0}) {
     result.online.push_back({.t = t, .X_WB = {}});
-    result.online_covariance_W.push_back((t > 1.0 ? 25.0 : 1.0) * Eigen::Matrix3d::Identity());
+    result.online_covariance_W.emplace_back((t > 1.0 ? 25.0 : 1.0) * Eigen::Matrix3d::Identity());
   }
   EXPECT_THAT(SummaryOf(result), HasSubstr("known to no better than 3 m (1-sigma) for 3 s, at "
                                            "worst to 5 m at 2 s\n"));

@@ -26,9 +26,11 @@ Site SiteWithin(const std::string& outline, double north, double east) {
 Site Square() { return SiteWithin("0,0:40,0:40,40:0,40", 40.0, 40.0); }
 
 std::size_t WidestLine(const std::string& text) {
-  std::size_t widest = 0, from = 0;
-  for (std::size_t end; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
-    widest = std::max(widest, end - from);
+  std::size_t widest = 0, width = 0;
+  for (const char letter : text) {
+    width = letter == '\n' ? 0 : width + 1;
+    widest = std::max(widest, width);
+  }
   return widest;
 }
 
