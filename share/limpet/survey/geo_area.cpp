@@ -22,7 +22,6 @@ namespace {
 using Json = nlohmann::json;
 using Ring = std::vector<GeoPoint>;
 
-constexpr double kFarthest = 20e3;  ///< from the datum [m]
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kWideLittle = "\xFF\xFE", kWideBig = "\xFE\xFF";  ///< of UTF-16
 constexpr std::string_view kZip = "PK\x03\x04";
@@ -294,14 +293,14 @@ Expected<std::vector<PlanePoint>> PlacesOnGrid(const std::vector<GeoPoint>& ring
   std::vector<PlanePoint> places;
   for (const GeoPoint& corner : ring) {
     const std::optional<PlanePoint> place = grid.Above(corner);
-    if (!place || place->norm() > kFarthest) {
+    if (!place || place->norm() > kFarthestSite) {
       return Error{fmt::format(
           "has a corner at latitude {:g}, longitude {:g}, {}{:.0f} km from the mission's LatOrigin "
           "{:g}, "
           "LongOrigin {:g}; allowed: up to {:g} km (is longitude first in the file?)",
           corner.latitude_deg, corner.longitude_deg,
           place ? "" : "on the other side of the earth, ", DistanceBetween(datum, corner) / 1e3,
-          datum.latitude_deg, datum.longitude_deg, kFarthest / 1e3)};
+          datum.latitude_deg, datum.longitude_deg, kFarthestSite / 1e3)};
     }
     places.push_back(*place);
   }

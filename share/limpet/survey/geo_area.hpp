@@ -12,6 +12,9 @@
 
 namespace limpet {
 
+/// What is farther from the datum, or from the vehicle, is another site [m].
+inline constexpr double kFarthestSite = 20e3;
+
 /// The rings of one polygon [deg], none of them closed by its first corner again.
 struct GeoPolygon {
   std::vector<GeoPoint> outline;
@@ -25,7 +28,7 @@ struct GeoPolygon {
 [[nodiscard]] Expected<GeoPolygon> ParseGeoArea(std::string_view text);
 
 /// On the local grid of the datum, NED [m]. The error says how far off a corner is: farther than
-/// 20 km from the datum it is another site, or latitude and longitude are exchanged.
+/// kFarthestSite from the datum it is another site, or latitude and longitude are exchanged.
 [[nodiscard]] Expected<std::vector<PlanePoint>> PlacesOnGrid(const std::vector<GeoPoint>& ring,
                                                              const GeoPoint& datum);
 

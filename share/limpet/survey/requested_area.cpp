@@ -14,6 +14,7 @@
 #include "limpet/core/params.hpp"
 #include "limpet/core/record.hpp"
 #include "limpet/survey/band_top.hpp"
+#include "limpet/survey/geo_area.hpp"
 #include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/survey_shape.hpp"
 #include "limpet/topics/area_request.hpp"
@@ -111,7 +112,6 @@ bool HoldsSide(const SimplePolygon& region, const PlaneEdge& side) {
 
 /// What does not fit together: region and area, area and vehicle.
 std::optional<Error> ProblemOfPlaces(const SurveyArea& area, const AreaSetting& setting) {
-  constexpr double kFarthest = 20e3;  // [m]: as of an area_geojson, beyond it is another site
   const SurveyShape shape = *SurveyShape::Of(area);
   for (std::size_t i = 0; shape.region() && i < shape.outline().size(); ++i) {
     const PlaneEdge side = shape.outline().Edge(i);
@@ -127,10 +127,10 @@ std::optional<Error> ProblemOfPlaces(const SurveyArea& area, const AreaSetting& 
       });
   if (is_in_zone) return Error{"the vehicle lies in a keep-out zone of the request"};
   const double off = shape.OutsideArea(setting.vehicle_W.value_or(PlanePoint::Zero()));
-  if (off <= kFarthest) return std::nullopt;
+  if (off <= kFarthestSite) return std::nullopt;
   return Error{fmt::format("the area is {:.0f} km from {}; allowed: up to {:g} km", off / 1e3,
                            setting.vehicle_W ? "the vehicle" : "the mission's datum",
-                           kFarthest / 1e3)};
+                           kFarthestSite / 1e3)};
 }
 
 }  // namespace
