@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/site/site.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "limpet/preflight/survey_facts.hpp"
@@ -10,16 +12,20 @@ namespace limpet {
 namespace fs = std::filesystem;
 
 std::string Site::Summary() const {
-  const std::string time =
-      speed_mps > 0.0 ? fmt::format(", {:.0f} s at {:g} m/s", path_m / speed_mps, speed_mps) : "";
-  return fmt::format("{:.0f} m2 to be seen; lanes and turns of about {:.0f} m{}", wanted_m2, path_m,
-                     time);
+  std::string text =
+      fmt::format("{:.0f} m2 to be seen; lanes and turns of about {:.0f} m", wanted_m2, path_m);
+  if (speed_mps > 0.0) text += fmt::format(", {:.0f} s at {:g} m/s", path_m / speed_mps, speed_mps);
+  if (const std::ptrdiff_t beyond = ZonesBeyond(*this); beyond > 0)
+    text += fmt::format("; {} keep-out zone{} beyond the drawing", beyond, beyond > 1 ? "s" : "");
+  return text;
 }
 
 void SiteBox::Take(const PlanePoint& at) {
   low = low.cwiseMin(at);
   high = high.cwiseMax(at);
 }
+
+double SiteBox::room() const { return std::max(1.0, 0.02 * (high - low).maxCoeff()); }
 
 SiteBox BoxAround(const Site& site) {
   const SurveyShape shape = *SurveyShape::Of(site.area);
@@ -36,6 +42,16 @@ SiteBox BoxAround(const Site& site) {
     box.Take(at);
   if (site.start) box.Take(*site.start);
   return box;
+}
+
+std::ptrdiff_t ZonesBeyond(const Site& site) {
+  const SurveyShape shape = *SurveyShape::Of(site.area);
+  const SiteBox box = BoxAround(site);
+  const PlanePoint room(box.room(), box.room());
+  const PlanePoint low = box.low - room, high = box.high + room;
+  return std::ranges::count_if(shape.zones(), [&](const SimplePolygon& zone) {
+    return (zone.high().array() < low.array()).any() || (zone.low().array() > high.array()).any();
+  });
 }
 
 std::optional<Site> SiteOf(const fs::path& path, const MissionChange& change) {

@@ -2,6 +2,7 @@
 // What a mission surveys: its area, and what `limpet check` reckons of it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,7 +21,8 @@ struct Site {
   double path_m = 0.0;              ///< lanes and turns
   double speed_mps = 0.0;           ///< 0: no behavior says it
 
-  /// In a line: the ground to be seen, the way it takes and the time.
+  /// In a line: the ground to be seen, the way it takes, the time, and how many keep-out zones lie
+  /// beyond what is drawn.
   [[nodiscard]] std::string Summary() const;
 };
 
@@ -34,7 +36,12 @@ struct Site {
 struct SiteBox {
   PlanePoint low, high;
   void Take(const PlanePoint& at);
+  /// That is left around it, for marks at its edges [m].
+  [[nodiscard]] double room() const;
 };
 [[nodiscard]] SiteBox BoxAround(const Site& site);
+
+/// How many keep-out zones lie beyond that box and its room.
+[[nodiscard]] std::ptrdiff_t ZonesBeyond(const Site& site);
 
 }  // namespace limpet

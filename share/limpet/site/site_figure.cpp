@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -86,7 +87,7 @@ void DrawLegend(const Site& site, MapAxes& map) {
   if (shape.region() || shape.margin() > 0.0) {
     LineLegend(map, {.stroke = palette::kMapMuted, .width = 0.7}, "operating region");
   }
-  if (!shape.zones().empty()) {
+  if (ZonesBeyond(site) < std::ssize(shape.zones())) {
     map.Legend(
         [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
           canvas.Rect(at - SvgCanvas::Point(8.0, 5.0), {16.0, 10.0},
@@ -111,13 +112,11 @@ void DrawLegend(const Site& site, MapAxes& map) {
 std::string SiteSvg(const Site& site) {
   const Region region(site.area);
   const SiteBox box = BoxAround(site);
-  // Room for the marks at the edges, whatever the scale.
-  const double room = std::max(1.0, 0.02 * (box.high - box.low).maxCoeff());
   const SurveyArea frame{.north_min = box.low.x(),
                          .north_max = box.high.x(),
                          .east_min = box.low.y(),
                          .east_max = box.high.y(),
-                         .margin = room};
+                         .margin = box.room()};
   MapAxes map(frame, "What " + site.name + " surveys", site.Summary());
   map.BeginMap();
   map.Outline(site.area);

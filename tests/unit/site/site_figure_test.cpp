@@ -48,6 +48,14 @@ TEST(SiteFigure, ExplainsWhatIsDrawnAndNothingElse) {
     EXPECT_THAT(whole, HasSubstr(drawn));
 }
 
+TEST(SiteFigure, AZoneFarOutsideIsSaidAndNotExplained) {
+  Site site = PlainSquare();
+  site.area.keep_out = "{-9000,300:9000,300:9000,301:-9000,301}";
+  const std::string svg = SiteSvg(site);
+  EXPECT_THAT(svg, HasSubstr("; 1 keep-out zone beyond the drawing"));
+  EXPECT_THAT(svg, Not(HasSubstr(">keep-out zone")));
+}
+
 TEST(SiteFigure, WithoutAMarginThereIsNoRegionBeyondTheArea) {
   Site site = PlainSquare();
   site.area.margin = 0.0;

@@ -47,6 +47,14 @@ TEST(SiteBox, IsNotAsWideAsAZoneFarAway) {
   Site site = MadeUp();
   site.area.keep_out = "{-9000,300:9000,300:9000,301:-9000,301}";
   EXPECT_EQ(BoxAround(site).high, PlanePoint(12.0, 12.0));
+  EXPECT_TRUE(site.Summary().ends_with("; 1 keep-out zone beyond the drawing")) << site.Summary();
+}
+
+TEST(ZonesBeyond, AreThoseOfWhichNothingIsDrawn) {
+  Site site = MadeUp();
+  EXPECT_EQ(ZonesBeyond(site), 0);
+  site.area.keep_out = "{2,2:4,2:4,4}{12.5,0:20,0:20,9}{0,30:9,30:9,39}{-90,-9:-80,-9:-80,0}";
+  EXPECT_EQ(ZonesBeyond(site), 2) << "the second reaches into the room at the edge";
 }
 
 TEST(SiteBox, HoldsARegionThatIsSaid) {
