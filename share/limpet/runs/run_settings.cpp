@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/runs/run_settings.hpp"
 
+#include <optional>
+
 #include "limpet/console/arguments.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/number_text.hpp"
@@ -9,6 +11,16 @@
 #include "limpet/survey/survey_params.hpp"
 
 namespace limpet {
+namespace {
+
+/// What a block says under `key`; nothing if there is no such block, or it does not say it.
+std::optional<double> NumberIn(const MissionFile& mission, const char* process, const char* key) {
+  const ConfigBlock* block = mission.Block(process);
+  const ConfigEntry* entry = block != nullptr ? block->Find(key) : nullptr;
+  return ParseNumber(entry != nullptr ? entry->value : "");
+}
+
+}  // namespace
 
 std::filesystem::path MissionFolder(const std::string& word) {
   if (word.empty()) throw UsageError("a mission folder cannot be an empty word");
@@ -30,17 +42,15 @@ ReportSettings SettingsOf(const MissionFile& mission, const Scenario& scenario) 
   settings.gain = helm.views.gain;
   settings.camera = kind != nullptr && kind->value != "scenario" ? kind->value : scenario.camera;
   settings.camera_geometry = helm.views.camera.geometry();
-  const ConfigEntry* rate = camera != nullptr ? camera->Find("rate_hz") : nullptr;
   settings.frame_rate_hz =
-      ParseNumber(rate != nullptr ? rate->value : "").value_or(CameraTiming{}.rate.value());
+      NumberIn(mission, "uSimCamera", "rate_hz").value_or(CameraTiming{}.rate.value());
   settings.altitude_m = survey.altitude.value();
-  const ConfigBlock* map = mission.Block("pMap");
-  const ConfigEntry* highest = map != nullptr ? map->Find("highest_view_m") : nullptr;
   settings.highest_view_m =
-      ParseNumber(highest != nullptr ? highest->value : "").value_or(settings.highest_view_m);
+      NumberIn(mission, "pMap", "highest_view_m").value_or(settings.highest_view_m);
   settings.turning_radius_m = helm.views.turning_radius.value();
   settings.object_height_max_m = survey.object_height_max.value();
-  settings.object_radius_m = scenario.opis.empty() ? 0.5 : scenario.opis.front().radius_m;
+  settings.object_radius_m =
+      NumberIn(mission, "pMap", "object_radius_m").value_or(settings.object_radius_m);
   return settings;
 }
 
