@@ -284,8 +284,7 @@ void NavApp::NoteTrack() {
 PlaceSigma NavApp::NewestSigma() {
   constexpr double kEvery = 2.0;  // [s] it changes slowly
   const int newest = place_sigmas_.noted() - 1;
-  if (sigma_node_ < 0 ||
-      place_sigmas_.TimeOf(newest) - place_sigmas_.TimeOf(sigma_node_) >= kEvery) {
+  if (!sigma_node_ || place_sigmas_.TimeOf(newest) - place_sigmas_.TimeOf(*sigma_node_) >= kEvery) {
     sigma_node_ = newest;
     newest_sigma_ = place_sigmas_.Of(newest, navigator_.smoother());
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,19 +33,19 @@ class NavApp final : public App {
   static constexpr bool kReplaysMail = true;  ///< what it knows is what it heard
   struct Params {
     Seconds alignment{5.0};
-    MetersPerSecond dvl_jump{0.15};
-    Seconds frame_wait{0.4};
+    MetersPerSecond dvl_jump = VelocityGateParams{}.jump;
+    Seconds frame_wait = NavigatorParams{}.frame_wait;
     Seconds stale_after{2.0};
     MetersPerSecond strongest_current{0.5};
     Meters opi_radius{0.5};
     double opi_radius_spread = 0.2;
     std::string opi_radius_by_class = "none";
-    double min_confidence = 0.45;
-    double wrong_color_share = 0.03;
-    int looks_to_confirm = 3;
-    double confirm_log_odds = 2.5;
-    Seconds node_period{1.0};
-    Meters node_distance{0.5};
+    double min_confidence = ObjectTrackerParams{}.min_confidence;
+    double wrong_color_share = BoxGateParams{}.confused_class_share;
+    int looks_to_confirm = ObjectTrackerParams{}.looks_to_confirm;
+    double confirm_log_odds = ObjectTrackerParams{}.confirm_log_odds;
+    Seconds node_period = NavigatorParams{}.node_period;
+    Meters node_distance = NavigatorParams{}.node_distance;
     MatchingParams session;
     CameraParams camera;
     bool compass_aids = true;
@@ -159,8 +160,8 @@ class NavApp final : public App {
   std::optional<double> aiding_awaited_;  ///< since when [s]
   TrackWatch track_watch_;
   PlaceSigmas place_sigmas_;
-  int sigma_node_ = -1;      ///< of which newest_sigma_ is
-  PlaceSigma newest_sigma_;  ///< as of the last frame
+  std::optional<int> sigma_node_;  ///< of which newest_sigma_ is
+  PlaceSigma newest_sigma_;        ///< as of the last frame
   double last_attitude_t_ = kLongAgo;
   SourceWatch imu_, fog_, dvl_, lock_, depth_, gps_, camera_, sonar_, refused_fix_;
   RefusalWatch imu_refusals_, velocity_refusals_;

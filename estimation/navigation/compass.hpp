@@ -41,7 +41,7 @@ class Compass {
   /// The smoother has its first pose. REQUIRES: is_in_use().
   void Begin();
   /// A heading [rad] at the time of `node`; most of them are passed over.
-  void Use(double heading, double t, int node);
+  void Use(double t, double heading, int node);
   /// Nothing before Begin.
   [[nodiscard]] std::optional<int> slot() const { return slot_; }
   /// Nothing before Begin.

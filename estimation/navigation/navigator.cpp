@@ -105,7 +105,7 @@ void Navigator::Begin(double t, const Eigen::Vector2d& p_W) {
 
 void Navigator::UseCompass(double t, int node) {
   if (!compass_.is_in_use()) return;
-  if (const auto heading = measurements_.CompassAt(t)) compass_.Use(*heading, t, node);
+  if (const auto heading = measurements_.CompassAt(t)) compass_.Use(t, *heading, node);
 }
 
 void Navigator::WorkOff(double limit) {

@@ -90,16 +90,25 @@ DriveParams BelievedDrive(const VehicleParams& vehicle) {
           .quadratic_drag_B = hydro.quadratic_drag.head<2>()};
 }
 
+void BelieveVelocityErrors(const VelocityErrors& errors, OdometryParams& odometry) {
+  constexpr MetersPerSecond kSurveySpeed(0.5);
+  const double bias = errors.bias_mps / kSurveySpeed.value();
+  odometry.scale_sigma = std::hypot(errors.scale, bias);
+  odometry.misalign_sigma = std::hypot(errors.misalignment, bias);
+}
+
 void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params) {
   const DvlSheet& dvl = sheets.dvl;
   OdometryParams& odometry = params.odometry;
   odometry.dvl_B = dvl.p_BD;
   odometry.velocity_noise = TwoDigits(kNoiseMargin * dvl.noise_mps);
   odometry.velocity_period = Seconds(1.0 / dvl.rate.value());
-  // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
-  const double bias = dvl.bias_mps / kSurveySpeed.value();
-  odometry.scale_sigma = TwoDigits(std::hypot(dvl.scale_sigma, bias));
-  odometry.misalign_sigma = TwoDigits(std::hypot(dvl.misalignment_sigma.value(), bias));
+  BelieveVelocityErrors({.scale = dvl.scale_sigma,
+                         .misalignment = dvl.misalignment_sigma.value(),
+                         .bias_mps = dvl.bias_mps},
+                        odometry);
+  odometry.scale_sigma = TwoDigits(odometry.scale_sigma);
+  odometry.misalign_sigma = TwoDigits(odometry.misalign_sigma);
   const YawRateErrors yaw = BelievedYawRate(sheets);
   odometry.yaw_walk = yaw.walk;
   odometry.yaw_bias = yaw.bias;

@@ -11,14 +11,21 @@
 
 namespace limpet {
 
-/// What a vehicle does over ground in a survey, usually.
-inline constexpr MetersPerSecond kSurveySpeed(0.5);
-
 /// Roll, pitch and yaw. Without a fibre-optic gyro the IMU's own yaw rate serves, with its errors.
 [[nodiscard]] AttitudeParams BelievedAttitude(const SensorSheets& sheets);
 
 /// Sets what the sheets tell of velocity, yaw rate, tilt, depth and fixes.
 void BelieveSheets(const SensorSheets& sheets, NavigatorParams& params);
+
+/// How far a DVL's velocity may be off, 1-sigma, constant over a session.
+struct VelocityErrors {
+  double scale = 0.0;         ///< share of the velocity
+  double misalignment = 0.0;  ///< [rad]
+  double bias_mps = 0.0;
+};
+/// Sets what these make of scale and misalignment: at a survey's steady speed a bias cannot be told
+/// from them.
+void BelieveVelocityErrors(const VelocityErrors& errors, OdometryParams& odometry);
 
 /// Sets how well camera, DVL and gyro are known to sit, run and scale: what is not is estimated.
 void BelieveMounting(const SensorSheets& sheets, NavigatorParams& params);

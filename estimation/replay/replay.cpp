@@ -175,10 +175,10 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
   TakeNoise(meta.noise, params);
   params.odometry.yaw_walk = meta.yaw_random_walk;
   params.odometry.yaw_bias = meta.yaw_bias_sigma;
-  // At a survey's steady speed a bias of the velocity cannot be told from scale or misalignment.
-  const double bias = meta.dvl_bias_sigma / kSurveySpeed.value();
-  params.odometry.scale_sigma = std::hypot(meta.dvl_scale_sigma, bias);
-  params.odometry.misalign_sigma = std::hypot(meta.dvl_misalign_sigma, bias);
+  BelieveVelocityErrors({.scale = meta.dvl_scale_sigma,
+                         .misalignment = meta.dvl_misalign_sigma,
+                         .bias_mps = meta.dvl_bias_sigma},
+                        params.odometry);
   params.objects.model.radius_m = meta.opi_radius;
   params.objects.model.size_spread = kSizeSpread;
   params.fix_wait = kFixWait;
