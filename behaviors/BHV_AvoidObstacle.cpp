@@ -173,8 +173,8 @@ double BHV_AvoidObstacle::Off(const VehicleState& state, double course) const {
 /// and open again when it does no more.
 void BHV_AvoidObstacle::KeepSide(const VehicleState& state, double relevance) {
   using Side = Passage::Side;
-  constexpr double kSettled = 0.6, kOff = 0.1;  // as MOOS-IvP has it
-  if (relevance < kOff) passage_.side = Side::kOpen;
+  constexpr double kSettled = 0.6, kOpenBelow = 0.1;  // as MOOS-IvP has it
+  if (relevance < kOpenBelow) passage_.side = Side::kOpen;
   if (relevance <= kSettled || passage_.side != Side::kOpen) return;
   passage_.side = Off(state, state.nav.yaw) > 0.0 ? Side::kStarboard : Side::kPort;
 }

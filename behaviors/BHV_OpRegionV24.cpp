@@ -111,10 +111,10 @@ void BHV_OpRegionV24::TellTimeLeft(const VehicleState& state, ActList& acts) con
     acts.Post(params_.time_variable, -1.0);
     return;
   }
-  constexpr double kInFull = 10.0;  // [s] before that whole seconds do
+  constexpr double kExactBelow = 10.0;  // [s] before that whole seconds do
   const Seconds left = *params_.longest - (state.now - *watch_.began);
   const double seconds = std::max(0.0, left.value());
-  acts.Post(params_.time_variable, seconds > kInFull ? std::floor(seconds) : seconds);
+  acts.Post(params_.time_variable, seconds > kExactBelow ? std::floor(seconds) : seconds);
 }
 
 void BHV_OpRegionV24::GiveUp(const VehicleState& state, ActList& acts) {

@@ -43,7 +43,7 @@ void DescribeTurns(ParamCollector& visit, ZigZagParams& params) {
   visit("max_zig_legs", params.legs,
         "Complete after so many legs and the half one from the stem; 0: never",
         InRange(0, 2'000'000));
-  visit.Parsed("max_zig_zags", "a whole number from 1", "The same in pairs of legs", "",
+  visit.Parsed("max_zig_zags", "a whole number from 1", "max_zig_legs in pairs of legs", "",
                [&params](std::string_view text) { return ReadPairs(text, params); });
   visit("max_stem_odo", params.longest_stem,
         "Complete so far along the stem [m]; not above 0: no limit", InRange(-1.0, 1e6));

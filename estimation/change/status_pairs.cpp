@@ -57,13 +57,13 @@ void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
 }
 
 int ObjectStatuses::CountDoubted(const std::vector<OpiBelief>& objects) const {
-  constexpr int kOften = 10;  // detections of one object
+  constexpr int kLeastDetections = 10;  // detections of one object
   constexpr double kLikely = 0.5;
   return static_cast<int>(std::ranges::count_if(objects_, [&](const Landmark& landmark) {
     const bool is_believed = std::ranges::any_of(objects, [&](const OpiBelief& object) {
       return object.landmark == landmark.id && object.posterior.present() >= kLikely;
     });
-    return landmark.detections >= kOften && !is_believed;
+    return landmark.detections >= kLeastDetections && !is_believed;
   }));
 }
 

@@ -71,7 +71,7 @@ std::vector<Cells> GroupsOf(const Cells& cells, double cell_m) {
 }
 
 std::vector<std::array<double, 2>> OutlineOf(const Cells& group, double around) {
-  constexpr double kHardly = 0.1;  // [m]; whoever keeps off pays for each corner
+  constexpr double kOutlineTolerance = 0.1;  // [m]; whoever keeps off pays for each corner
   // OpenCV reckons in floats: near their own place, not the datum's.
   const Eigen::Vector2d origin = group.front().p_W.head<2>();
   std::vector<cv::Point2f> around_echoes, hull, outline;
@@ -85,7 +85,7 @@ std::vector<std::array<double, 2>> OutlineOf(const Cells& group, double around) 
     }
   }
   cv::convexHull(around_echoes, hull);
-  cv::approxPolyDP(hull, outline, kHardly, true);
+  cv::approxPolyDP(hull, outline, kOutlineTolerance, true);
   std::vector<std::array<double, 2>> corners;
   for (const cv::Point2f& corner : outline) {
     corners.push_back(

@@ -28,7 +28,7 @@ constexpr double kWorseFixes = 3.0;
 constexpr double kOddsOfWorseFixes = 2.3;  // ln 10: one session of ten
 
 constexpr double kCertain = 12.0;  // of a match, natural logarithm: nothing else is looked for
-constexpr double kElsewhere =
+constexpr double kLeastMoreEvidence =
     3.0;  // ln 20: by so much a frame must be likelier that lies elsewhere
 constexpr std::size_t kSearchEvery = 20;  // matches, if no landmarks came: those known have moved
 constexpr Meters kFoundShift{1.0};        // of such a frame, until all objects are matched
@@ -196,7 +196,7 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
     Place({.pivot_W = placed_.pivot_W});
     here = match();
     evidence = evidence_of(here);
-    if (found_evidence >= evidence + kElsewhere) {
+    if (found_evidence >= evidence + kLeastMoreEvidence) {
       is_elsewhere_ = true;
       Place(found);
       here = there;
@@ -205,7 +205,7 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
   }
   if (!IsTimeToSearch(candidates.size())) return here;
   const std::optional<FoundFrame> found = SearchFrame(former_.objects, candidates, params_);
-  if (!found || found->evidence < evidence + kElsewhere) return here;
+  if (!found || found->evidence < evidence + kLeastMoreEvidence) return here;
   is_elsewhere_ = true;
   Place(found->offset);
   return match();

@@ -19,11 +19,11 @@ struct WaterParams {
   /// Of the speed ahead through the water, at first, and of a vehicle that stands and may go [m/s]:
   /// what it may have been told, half its top speed.
   double speed_sigma = 0.5;
-  double speed_walk = 0.0005;   ///< and its random walk [m/s/sqrt(s)]
+  double speed_walk = 0.0005;   ///< random walk of that speed [m/s/sqrt(s)]
   double drift_sigma = 0.008;   ///< of the speed abeam through the water [m/s]
   Seconds drift_memory{600.0};  ///< after which that is another
   double sway_sigma = 0.3;      ///< of the sway per yaw rate, at first [m/s per rad/s]
-  double sway_walk = 0.002;     ///< and its random walk
+  double sway_walk = 0.002;     ///< random walk of that sway
   /// With commands of the thrusters: 1-sigma of what is left of speed ahead and abeam beside what
   /// they make [m/s], after which that is another, of how much of that is true, its random walk,
   /// and the share of its changes that is not.
@@ -32,7 +32,7 @@ struct WaterParams {
   double driven_sigma = 0.3, driven_walk = 0.0005;
   double driven_change = 0.2;
   double current_sigma = 0.15;   ///< of each of north and east, at first [m/s]
-  double current_walk = 0.0007;  ///< and its random walk [m/s/sqrt(s)]
+  double current_walk = 0.0007;  ///< random walk of the current [m/s/sqrt(s)]
   /// 1-sigma of a predicted velocity besides [m/s]: at first and at least. Learnt from what the
   /// model would have been off in stretches so long, each taken as no worse than the worst; so a
   /// vehicle that is less steady than the model is bridged with more doubt.
@@ -150,7 +150,7 @@ class WaterModel {
   /// What is known before a first velocity.
   [[nodiscard]] Covariance FirstCovariance(bool is_driven) const;
   [[nodiscard]] Covariance CovarianceAt(double t) const;
-  /// The same, if commands are all that was ever heard.
+  /// What is known at `t` if commands are all that was ever heard.
   [[nodiscard]] Covariance CovarianceAt(double t, const Conduct& conduct) const;
   /// 1-sigma of the speed ahead of a vehicle that may start any time [m/s]; 0 of one that is on
   /// its way, or whose commands are known.

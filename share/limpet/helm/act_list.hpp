@@ -28,7 +28,7 @@ class ActList {
   /// Flags of the behavior's own, e.g. `wptflag`; its macros have the values that they have now.
   /// As in MOOS-IvP a value that is the same as the last time is not posted again.
   void Raise(std::span<const Flag> flags, const Behavior& behavior, const VehicleState& state);
-  /// The same, each time, e.g. `cycleflag`.
+  /// Flags that are posted each time, whatever they said the last time, e.g. `cycleflag`.
   void RaiseAgain(std::span<const Flag> flags, const Behavior& behavior, const VehicleState& state);
   void Complete(std::string reason = "") { acts_.emplace_back(Completion{std::move(reason)}); }
   /// The vehicle is to stop.

@@ -332,8 +332,8 @@ void HostedBehavior::PostTimeLeft(HelmTurn& turn) {
   if (variable.empty() || !left) {
     return;
   }
-  constexpr Seconds kInFull(10.0);  // before that whole seconds do, and are posted more seldom
-  const double seconds = *left > kInFull ? std::round(left->value()) : left->value();
+  constexpr Seconds kExactBelow(10.0);  // before that whole seconds do, and are posted more seldom
+  const double seconds = *left > kExactBelow ? std::round(left->value()) : left->value();
   Post({.variable = variable, .value = seconds}, turn);
 }
 

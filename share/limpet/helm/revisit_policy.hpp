@@ -32,8 +32,8 @@ class RevisitPolicy {
             "Chance that one pass over nothing detects something", InRange(0.0001, 0.5));
       visit("settled_entropy", settled_entropy, "Below this entropy [nats] an object is settled",
             InRange(0.0, 1.4));
-      visit("settled_looks", settled_looks, "... and after this many looks, whatever they said",
-            InRange(1, 100));
+      visit("settled_looks", settled_looks,
+            "After this many looks an object is settled, whatever they said", InRange(1, 100));
       visit("fruitless_decay", fruitless_decay,
             "A look's worth is multiplied by this for each that was flown and told nothing",
             InRange(0.0, 1.0));

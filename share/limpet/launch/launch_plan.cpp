@@ -302,7 +302,8 @@ std::string LaunchHelp(const std::string& caller) {
             {.names = "--session=NAME",
              .meaning = "discovery (default), change, ...; later sessions compare with the "
                         "discovery of the latest dive"},
-            {.names = "--prior_folder=DIR", .meaning = "... or with the session saved there"},
+            {.names = "--prior_folder=DIR",
+             .meaning = "later sessions compare with the session saved there"},
             {.names = "--seed=N", .meaning = "for the simulators"},
             {.names = "--deploy", .meaning = "write DEPLOY = true once every process is up"},
             {.names = "--until=VARIABLE",

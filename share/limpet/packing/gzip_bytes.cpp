@@ -14,8 +14,8 @@ namespace limpet {
 
 namespace {
 
-constexpr int kGzipWindow = 15 + 16;        // 16: zlib's sign for a gzip header
-constexpr std::size_t kAtOnce = 1U << 30U;  // zlib counts in 32 bits
+constexpr int kGzipWindow = 15 + 16;             // 16: zlib's sign for a gzip header
+constexpr std::size_t kMostPerCall = 1U << 30U;  // zlib counts in 32 bits
 
 /// zlib's interface is older than const.
 Bytef* BytesOf(std::string_view part) {
@@ -32,7 +32,7 @@ std::string Gzip(std::string_view bytes, Packing packing) {
   std::string packed;
   std::array<char, 65536> buffer{};
   do {
-    const std::string_view part = bytes.substr(0, kAtOnce);
+    const std::string_view part = bytes.substr(0, kMostPerCall);
     bytes.remove_prefix(part.size());
     deflater.next_in = BytesOf(part);
     deflater.avail_in = static_cast<uInt>(part.size());
@@ -57,7 +57,7 @@ Expected<std::string> Gunzip(std::string_view packed, std::size_t most) {
   int code = Z_OK;
   while (code == Z_OK && bytes.size() <= most) {
     if (inflater.avail_in == 0) {
-      const std::string_view part = packed.substr(0, kAtOnce);
+      const std::string_view part = packed.substr(0, kMostPerCall);
       packed.remove_prefix(part.size());
       inflater.next_in = BytesOf(part);
       inflater.avail_in = static_cast<uInt>(part.size());

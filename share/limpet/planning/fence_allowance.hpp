@@ -47,8 +47,8 @@ class FenceAllowance {
 
   Meters tracking_, turn_radius_;
   Region region_;       ///< with the pilot's allowance alone
-  int steps_ = 0;       ///< for which there is room
-  int zone_steps_ = 0;  ///< ... off zones; no fewer
+  int steps_ = 0;       ///< off the border, for which there is room
+  int zone_steps_ = 0;  ///< off zones, for which there is room; no fewer
 };
 
 }  // namespace limpet

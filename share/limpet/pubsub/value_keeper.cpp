@@ -7,7 +7,7 @@ namespace limpet {
 namespace {
 
 constexpr double kShortestPause = 1.0;             ///< between values of one variable, mean [s]
-constexpr double kAtOnce = 4.0;                    ///< values of one that has paused
+constexpr double kBurst = 4.0;                     ///< values of one that has paused
 constexpr double kBytesPerSecond = 64.0 * 1024.0;  ///< of one variable
 constexpr std::size_t kLeastLimit = std::size_t{64} << 10;
 
@@ -51,7 +51,7 @@ bool ValueKeeper::KeepOne(Router::Variable variable, Seconds now) {
   const double pause =
       std::max(kShortestPause, static_cast<double>(message.size()) / kBytesPerSecond);
   // A pause for each value, those of a burst on credit.
-  next_[variable] = std::max(due, now - Seconds((kAtOnce - 1.0) * pause)) + Seconds(pause);
+  next_[variable] = std::max(due, now - Seconds((kBurst - 1.0) * pause)) + Seconds(pause);
   if (!file_.Append(message)) {
     RewriteAll();
   }

@@ -47,8 +47,8 @@ constexpr Explanation kExplanations[] = {
      "Reported and true objects are matched one to one, nearest first, within 2.5 m. A true object "
      "without a report is "
      "missed; a report without an object is invented; an object found more than 1 m off is "
-     "misplaced. Of an object that is surely there (0.9) it may be open since when: it is "
-     "reported."},
+     "misplaced. Reported is also what the vehicle holds to be there now with a probability of 0.9 "
+     "or more, though it leaves open whether it was there before."},
     {"Confirmed, removed, new, moved",
      "There in both sessions; only in the former; only in this one; in both, elsewhere. Uncertain: "
      "the vehicle will not say; such a status is open, neither right nor wrong."},

@@ -41,7 +41,8 @@ struct ChangeScore {
 /// Every belief in it is as SmoothedBelief gives it.
 struct OpiScores {
   /// Without truth only; then the three lists below are empty. Reported is what was decided to be
-  /// there, and what is surely there (0.9) though nothing was decided of since when.
+  /// there, and what is there now with a probability of 0.9 or more, though it was left open
+  /// whether it was there before.
   std::vector<OpiBelief> reported;
   std::vector<OpiScore> found;
   std::vector<std::string> missed;

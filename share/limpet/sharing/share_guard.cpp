@@ -11,8 +11,8 @@
 namespace limpet {
 namespace {
 
-constexpr Seconds kAskAgain(0.25), kAskRarely(8.0);  ///< while there is no answer
-constexpr Seconds kMeasureAgain(60.0);               ///< two crystals drift by some ms in that time
+constexpr Seconds kFirstPause(0.25), kLongestPause(8.0);  ///< while there is no answer
+constexpr Seconds kMeasureAgain(60.0);  ///< two crystals drift by some ms in that time
 constexpr std::size_t kWordAt = sizeof(ShareRun);
 constexpr std::size_t kQuestionSize = kWordAt + sizeof(std::uint64_t);
 
@@ -108,7 +108,7 @@ void ShareGuard::Ask(Sender& sender, const ShareRun& run, ShareInstant now,
   if (sender.question && now.steady - sender.question->asked < sender.pause) {
     return;
   }
-  sender.pause = sender.question ? std::min(sender.pause * 2.0, kAskRarely) : kAskAgain;
+  sender.pause = sender.question ? std::min(sender.pause * 2.0, kLongestPause) : kFirstPause;
   sender.question = Question{.word = 0, .asked = now.steady};
   randombytes_buf(&sender.question->word, sizeof sender.question->word);
   ByteBuffer body(kQuestionSize);

@@ -109,8 +109,8 @@ struct SurveyParams {
           "The dive begins when the 1-sigma of north and of east (NAV_STATE) is down to this",
           InRange(Meters(0.01), Meters(100.0)));
     visit("former_fix_target_m", former_fix_target,
-          "The same, if larger, where a former session has two objects or more: seen again, they "
-          "tie this session to that one's fixes",
+          "1-sigma for the dive to begin where a former session has two objects or more, if larger "
+          "than fix_target_m: seen again, they tie this session to that one's fixes",
           InRange(Meters(0.01), Meters(100.0)));
     visit("last_fix_target_m", last_fix_target,
           "The mission ends when the fixes at home have brought that 1-sigma down to this",

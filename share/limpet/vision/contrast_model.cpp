@@ -15,7 +15,7 @@ GroundContrast ContrastModel::Draw(double range, Random& random) const {
   const std::array<double, 3> fading = WaterOptics::OfVisibility(visibility_m_).attenuation_per_m;
   const double here = close_by_ * std::exp(random.Normal(kPatchSpread));
   const auto contrast = [&](double per_m) {
-    return std::hypot(here * std::exp(-per_m * range), kElsewhere);
+    return std::hypot(here * std::exp(-per_m * range), kOtherContrast);
   };
   return {.exposure = 0.0,
           .blue = contrast(fading[0]),

@@ -18,9 +18,9 @@ class ContrastModel {
 
   static constexpr double kCloseBy = 0.04;      ///< contrast of the ground without water
   static constexpr double kSiteSpread = 0.4;    ///< of its logarithm, from site to site
-  static constexpr double kPatchSpread = 0.15;  ///< and from picture to picture
+  static constexpr double kPatchSpread = 0.15;  ///< of its logarithm, from picture to picture
   static constexpr double kNoise = 0.0024;      ///< what sensor noise shows
-  static constexpr double kElsewhere =
+  static constexpr double kOtherContrast =
       0.0028;  ///< what lens and specks show where there is no ground
 
  private:
