@@ -1,68 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "behaviors/BHV_HoldStation.hpp"
+
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "behaviors/BHV_ConstantDepth.hpp"
-#include "behaviors/BHV_FollowPath.hpp"
-#include "behaviors/BHV_HoldAltitude.hpp"
-#include "behaviors/BHV_HoldStation.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
-
-VehicleState At(double time, double down, std::optional<double> altitude) {
-  VehicleState state;
-  state.now = Seconds(time);
-  state.nav.down = down;
-  state.nav.altitude = altitude;
-  return state;
-}
-
-TEST(BhvHoldAltitude, AsksForTheDepthThatLeavesTheAltitude) {
-  BHV_HoldAltitude behavior({});
-  behavior.Start(At(0.0, 3.0, 4.5));
-  EXPECT_DOUBLE_EQ(behavior.Move(At(0.0, 3.0, 4.5)).depth->summit, 3.5);
-}
-
-TEST(BhvHoldAltitude, HasNoOpinionBeforeTheFirstBottomLock) {
-  BHV_HoldAltitude behavior({});
-  behavior.Start(At(0.0, 3.0, {}));
-  const MotionBid bid = behavior.Move(At(1.0, 3.0, {}));
-  EXPECT_FALSE(bid.depth.has_value());
-  EXPECT_EQ(bid.warning->id.name(), "ALTITUDE_LOST");
-}
-
-TEST(BhvHoldAltitude, RemembersALostSeabedForAWhileOnly) {
-  BHV_HoldAltitude behavior({});
-  behavior.Start(At(0.0, 3.0, 4.5));
-  static_cast<void>(behavior.Move(At(0.0, 3.0, 4.5)));
-  EXPECT_TRUE(behavior.Move(At(100.0, 3.0, {})).depth.has_value())
-      << "the rule dvl_lost acts first";
-  EXPECT_FALSE(behavior.Move(At(121.0, 3.0, {})).depth.has_value());
-}
-
-TEST(BhvHoldAltitude, NeverAsksToFlyAboveTheSurface) {
-  BHV_HoldAltitude behavior({});
-  behavior.Start(At(0.0, 0.5, 2.0));
-  EXPECT_DOUBLE_EQ(behavior.Move(At(0.0, 0.5, 2.0)).depth->summit, 0.0);
-}
-
-TEST(BhvFollowPath, PassesOnTheGuidanceAtSurveySpeed) {
-  BHV_FollowPath behavior({});
-  VehicleState state;
-  state.guidance = Guidance{.course = 1.2, .turn_rate = 0.1};
-  const MotionBid bid = behavior.Move(state);
-  EXPECT_DOUBLE_EQ(bid.course->summit, 1.2);
-  EXPECT_DOUBLE_EQ(*bid.turn_rate, 0.1);
-  EXPECT_DOUBLE_EQ(bid.speed->summit, 0.5);
-}
-
-TEST(BhvFollowPath, HasNoOpinionWithoutAPath) {
-  BHV_FollowPath behavior({});
-  EXPECT_FALSE(behavior.Move(VehicleState{}).course.has_value());
-}
 
 TEST(BhvHoldStation, KeepsTheHeadingAtWhichItBegan) {
   BHV_HoldStation behavior({});
@@ -136,11 +83,7 @@ TEST(BhvHoldStation, StaysWhereItIsUntilHomeIsKnown) {
   EXPECT_DOUBLE_EQ(behavior.Move(state).speed->summit, 0.0);
 }
 
-TEST(BhvConstantDepth, RefusesADepthBeyondItsRange) {
-  ConfigBlock block{
-      .name = "BHV_ConstantDepth", .where = {}, .entries = {{"depth", "7000", {"x.bhv", 4}}}};
-  EXPECT_THROW(static_cast<void>(ReadParams<BHV_ConstantDepth::Params>(block)), ConfigError);
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvHoldStation, EveryBehavior, BHV_HoldStation);
 
 }  // namespace
 }  // namespace limpet
