@@ -6,18 +6,14 @@
 #include <map>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
 namespace limpet::layers {
 namespace {
 
-/// What the tests of one library may be called after.
-struct Subjects {
-  std::set<std::string> files, folders;
-};
-using SubjectsOfLibrary = std::map<std::string, Subjects>;
+/// By library: what its tests may be called after.
+using SubjectsOfLibrary = std::map<std::string, std::set<std::string>>;
 
 /// Every folder on the way to a file is a library to whoever calls a test folder so.
 void AddSubject(std::string_view path, SubjectsOfLibrary& subjects) {
@@ -25,25 +21,14 @@ void AddSubject(std::string_view path, SubjectsOfLibrary& subjects) {
   if (path.starts_with(kShared)) path.remove_prefix(kShared.size());
   const std::filesystem::path file(path);
   for (const auto& library : file.parent_path()) {
-    Subjects& known = subjects[library.string()];
-    known.files.insert(file.stem().string());
-    known.folders.insert(file.parent_path().filename().string());
+    subjects[library.string()].insert(file.stem().string());
   }
 }
 
-bool BeginsWithWords(std::string_view text, std::string_view words) {
-  return text == words || (text.starts_with(words) && text[words.size()] == '_');
-}
-
-bool HasSubject(const std::string& name, const Subjects& subjects) {
-  const auto is_kin = [&name](const std::string& file) {
-    return BeginsWithWords(name, file) || BeginsWithWords(file, name);
-  };
-  const auto is_inside = [&name](const std::string& folder) {
-    return name.ends_with("_" + folder);
-  };
-  return std::ranges::any_of(subjects.files, is_kin) ||
-         std::ranges::any_of(subjects.folders, is_inside);
+bool HasSubject(const std::string& name, const std::set<std::string>& subjects) {
+  return std::ranges::any_of(subjects, [&name](const std::string& file) {
+    return name == file || name.starts_with(file + "_");
+  });
 }
 
 /// The library that tests/unit/<folder> is about.
@@ -71,8 +56,7 @@ std::vector<std::string> TestsWithoutSubject(const std::vector<SourceFile>& file
     const std::string folder =
         file.path.substr(kUnit.size(), file.path.find('/', kUnit.size()) - kUnit.size());
     const std::string library = LibraryOf(folder);
-    if (!BeginsWithWords(name, library) && !HasSubject(name, subjects[library]) &&
-        !HasSubject(name, subjects["support"])) {
+    if (!HasSubject(name, subjects[library]) && !HasSubject(name, subjects["support"])) {
       complaints.push_back(fmt::format("{}: is of no file of `{}`", file.path, library));
     }
   }

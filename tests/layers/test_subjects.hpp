@@ -9,11 +9,10 @@
 
 namespace limpet::layers {
 
-/// One complaint per file `tests/unit/<library>/<name>_test.cpp` whose name does not begin with the
-/// name of a file of that library (or of tests/support), and is not what such a file's name begins
-/// with: `navigator_session_tie_test` is of `navigator`, `alog_test` of `alog_reader` and its kin.
-/// A folder inside a library counts as the last word: `pose_factors_test` is of `factors/`. What is
-/// of a library as a whole begins with the library's name: `replay_honesty_test`.
+/// One complaint per file `tests/unit/<library>/<name>_test.cpp` whose name neither is the name of
+/// a source file of that library, of a folder in it or of tests/support, nor begins with one and
+/// `_`: `packet_codec_test` and `packet_codec_captures_test` are of `packet_codec`, `packet_test`
+/// is not.
 [[nodiscard]] std::vector<std::string> TestsWithoutSubject(const std::vector<SourceFile>& files);
 
 }  // namespace limpet::layers

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -314,6 +315,8 @@ TEST(BhvAvoidObstacle, IsSilencedByNameOrBySourceWhereItMayBe) {
   HelmFlight firm{AvoidBlock(block)};
   EXPECT_TRUE(has_say(firm, "action=disable,obstacle_id=rock_7"));
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvAvoidObstacle, EveryBehavior, BHV_AvoidObstacle);
 
 }  // namespace
 }  // namespace limpet

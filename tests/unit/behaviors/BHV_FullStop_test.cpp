@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -89,6 +90,8 @@ TEST(BhvFullStop, CompletesOncePerStopIfItLivesOn) {
   flight.Fly(20.0);
   EXPECT_THAT(flight.Posts("STOPPED"), ElementsAre("1", "2"));
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvFullStop, EveryBehavior, BHV_FullStop);
 
 }  // namespace
 }  // namespace limpet

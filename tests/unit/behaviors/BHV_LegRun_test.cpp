@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -176,6 +177,8 @@ TEST(BhvLegRun, CountsHowOftenItHasCrossedItsTrackSinceTheLastTurn) {
   flight.Tick();
   EXPECT_EQ(flight.Last("WRAPS"), "0") << "anew after a turn";
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvLegRun, EveryBehavior, BHV_LegRun);
 
 }  // namespace
 }  // namespace limpet

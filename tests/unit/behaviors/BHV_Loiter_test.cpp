@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -212,6 +213,8 @@ TEST(BhvLoiter, SaysThatItIsDoneAlsoWhenItsTimeIsUp) {
   flight.Fly(2.0);
   EXPECT_EQ(flight.Last("LOITER_COMPLETE"), "true");
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvLoiter, EveryBehavior, BHV_Loiter);
 
 }  // namespace
 }  // namespace limpet

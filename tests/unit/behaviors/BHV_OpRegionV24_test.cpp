@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -253,6 +254,8 @@ TEST(BhvOpRegionV24, TurnsBackByTheWayRoundThatItHasBegun) {
     EXPECT_NEAR(MoosHeadingFromYaw(*flight.decision().course), 270.0, 0.1);
   }
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvOpRegionV24, EveryBehavior, BHV_OpRegionV24);
 
 }  // namespace
 }  // namespace limpet

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -256,6 +257,8 @@ TEST(BhvOpRegion, SaysNothingOfBordersWhereItHasNoPolygon) {
   EXPECT_TRUE(flight.Posts("SECS_IN_POLY").empty());
   EXPECT_TRUE(flight.Posts("OPREG_TIME_REMAINING").empty());
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvOpRegion, EveryBehavior, BHV_OpRegion);
 
 }  // namespace
 }  // namespace limpet

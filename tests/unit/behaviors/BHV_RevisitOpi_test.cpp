@@ -1,36 +1,67 @@
 // SPDX-License-Identifier: MIT
+// Bids of BHV_RevisitOpi on options, against geometry done by hand.
+#include "behaviors/BHV_RevisitOpi.hpp"
+
+#include <vector>
+
 #include <gtest/gtest.h>
 
-#include "limpet/helm/revisit_policy.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
+#include "tests/unit/behaviors/view_behavior_fixture.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr double kDetection = 0.95;
-constexpr double kFalseAlarm = 0.01;
+using BhvRevisitOpi = ViewBehaviorTest;
 
-TEST(ValueOfALook, IsNothingWhenTheStatusIsKnown) {
-  EXPECT_DOUBLE_EQ(ExpectedEntropyDrop({.confirmed = 1.0}, kDetection, kFalseAlarm), 0.0);
+TEST_F(BhvRevisitOpi, IsWorthLessTheLaterTheLook) {
+  now_.objects = {ObjectAt(10.0, 0.0, {.confirmed = 0.5, .removed = 0.5})};
+  BHV_RevisitOpi::Params params;
+  params.decay = Meters(50.0);
+  const BHV_RevisitOpi behavior(params);
+  const Bid bid = *behavior.Value(Seen(Straight(20.0)), now_);
+  // The object enters the window of 1 m when the vehicle has come 9 m.
+  const double now_worth = behavior.Interests(now_).at(0).worth;
+  EXPECT_GT(now_worth, 0.0);
+  EXPECT_NEAR(bid.value, now_worth * (1.0 - 9.0 / 50.0), 1e-9);
+  EXPECT_EQ(Reason(bid, "open_objects"), 1.0);
 }
 
-TEST(ValueOfALook, IsGreatestWhenConfirmedAndRemovedAreEquallyLikely) {
-  const double even =
-      ExpectedEntropyDrop({.confirmed = 0.5, .removed = 0.5}, kDetection, kFalseAlarm);
-  const double skewed =
-      ExpectedEntropyDrop({.confirmed = 0.9, .removed = 0.1}, kDetection, kFalseAlarm);
-  EXPECT_GT(even, skewed);
-  EXPECT_GT(even, 0.5);  // a good detector resolves most of ln 2
+TEST_F(BhvRevisitOpi, GivesNothingForAWayThatMissesTheObject) {
+  now_.objects = {ObjectAt(10.0, 1.5, {.confirmed = 0.5, .removed = 0.5})};
+  const BHV_RevisitOpi behavior({});
+  EXPECT_EQ(behavior.Value(Seen(Straight(20.0)), now_)->value, 0.0);
+  EXPECT_EQ(behavior.Value(Seen(Straight(8.0)), now_)->value, 0.0);
 }
 
-TEST(ValueOfALook, CannotTellNewFromConfirmed) {
-  EXPECT_NEAR(ExpectedEntropyDrop({.confirmed = 0.5, .appeared = 0.5}, kDetection, kFalseAlarm),
-              0.0, 1e-12);
+TEST_F(BhvRevisitOpi, HasNoOpinionOnceAllIsKnown) {
+  now_.objects = {ObjectAt(10.0, 0.0, {.confirmed = 0.999, .removed = 0.001})};
+  const BHV_RevisitOpi behavior({});
+  EXPECT_FALSE(behavior.Value(Seen(Straight(20.0)), now_));
+  now_.objects = {ObjectAt(10.0, 0.0, {.confirmed = 0.5, .removed = 0.5})};
+  EXPECT_TRUE(behavior.Value(Seen(Straight(20.0)), now_));
+  now_.objects[0].belief.looks = 2;
+  EXPECT_FALSE(behavior.Value(Seen(Straight(20.0)), now_)) << "looked at often enough";
+  now_.objects[0].belief.looks = 0;
+  now_.objects[0].window.reset();
+  EXPECT_FALSE(behavior.Value(Seen(Straight(20.0)), now_)) << "not seen from survey altitude";
 }
 
-TEST(ValueOfALook, IsLessWithAWorseDetector) {
-  const StatusPosterior even{.confirmed = 0.5, .removed = 0.5};
-  EXPECT_GT(ExpectedEntropyDrop(even, 0.95, 0.01), ExpectedEntropyDrop(even, 0.7, 0.2));
+TEST_F(BhvRevisitOpi, IsWorthTheSumOfItsObjectsWhateverTheirOrder) {
+  const BHV_RevisitOpi behavior({});
+  const std::vector<WatchedObject> objects{ObjectAt(5.0, 0.0, {.confirmed = 0.5, .removed = 0.5}),
+                                           ObjectAt(12.0, 0.5, {.confirmed = 0.8, .removed = 0.2}),
+                                           ObjectAt(18.0, -0.5, {.appeared = 0.6, .nothing = 0.4})};
+  double sum = 0.0;
+  for (const WatchedObject& object : objects) {
+    now_.objects = {object};
+    sum += behavior.Value(Seen(Straight(20.0)), now_)->value;
+  }
+  now_.objects = {objects[2], objects[0], objects[1]};
+  EXPECT_NEAR(behavior.Value(Seen(Straight(20.0)), now_)->value, sum, 1e-9);
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvRevisitOpi, EveryBehavior, BHV_RevisitOpi);
 
 }  // namespace
 }  // namespace limpet

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -139,6 +140,8 @@ TEST(BhvStationKeep, SaysThatItDoesNotHibernate) {
   flight.Tick();
   EXPECT_EQ(flight.Last("PSKEEP_MODE"), "DISABLED");
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvStationKeep, EveryBehavior, BHV_StationKeep);
 
 }  // namespace
 }  // namespace limpet

@@ -8,6 +8,7 @@
 
 #include "limpet/core/clock.hpp"
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -55,6 +56,8 @@ TEST(BhvTestFailure, RefusesAFailureThatItDoesNotKnow) {
     }
   }
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvTestFailure, EveryBehavior, BHV_TestFailure);
 
 }  // namespace
 }  // namespace limpet

@@ -9,6 +9,7 @@
 #include "limpet/core/frames.hpp"
 #include "limpet/helm/motion_decision.hpp"
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/behavior_block.hpp"
 
 namespace limpet {
 namespace {
@@ -76,6 +77,21 @@ TEST(BhvWaypointBids, SaysTheFormOfFunctionThatItsBlockNames) {
   EXPECT_EQ(kind("  ipf_type = ROC\n"), "roc");
   EXPECT_EQ(kind("  ipf-type = zaic_spd\n"), "zaic_spd");
   EXPECT_EQ(kind("  ipf_type = unheard_of\n"), "zaic") << "as pHelmIvP takes it";
+}
+
+TEST(CoupledBehaviors, ShareTheirWeightBetweenCourseAndSpeed) {
+  const std::string way =
+      BehaviorBlock("BHV_Waypoint", "  points = 0,1000\n  speed = 2\n  pwt = 100\n");
+  HelmFlight flight(way + BehaviorBlock("BHV_ConstantSpeed", "  speed = 0.5\n  pwt = 30\n"));
+  flight.Tick();
+  EXPECT_NEAR(*flight.decision().speed, 0.5, 1e-9)
+      << "of the way, which likes that half as well, 50";
+  HelmFlight patient(
+      BehaviorBlock("BHV_Waypoint",
+                    "  points = 0,1000\n  speed = 2\n  pwt = 100\n  patience = 10\n") +
+      BehaviorBlock("BHV_ConstantSpeed", "  speed = 0.5\n  pwt = 30\n"));
+  patient.Tick();
+  EXPECT_NEAR(*patient.decision().speed, 2.0, 1e-9) << "90 of the way";
 }
 
 }  // namespace

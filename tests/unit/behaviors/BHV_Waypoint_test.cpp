@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -345,6 +346,8 @@ TEST(BhvWaypoint, JudgesTheTimeOfALegByItsSpeedAlsoWhileAnotherIsInUse) {
   EXPECT_NEAR(std::stod(flight.Last("WPT_EFF_TIME_ALL")),
               0.5 * std::stod(flight.Last("WPT_EFF_DIST_ALL")), 0.03);
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvWaypoint, EveryBehavior, BHV_Waypoint);
 
 }  // namespace
 }  // namespace limpet

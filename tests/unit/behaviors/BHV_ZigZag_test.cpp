@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/helm_flight.hpp"
+#include "tests/unit/behaviors/every_behavior.hpp"
 
 namespace limpet {
 namespace {
@@ -115,6 +116,8 @@ TEST(BhvZigZag, DrawsItsHeadingsUnlessToldNotTo) {
   flight.Tick();
   EXPECT_THAT(flight.Last("VIEW_SEGLIST"), HasSubstr("active=false"));
 }
+
+INSTANTIATE_TYPED_TEST_SUITE_P(BhvZigZag, EveryBehavior, BHV_ZigZag);
 
 }  // namespace
 }  // namespace limpet

@@ -93,7 +93,7 @@ ReadFunction Read(const std::string& text) {
   return function;
 }
 
-MotionDomain SmallDomain() {
+MotionDomain IpfDomain() {
   MotionDomain domain;
   domain.speed = MotionAxis{.low = 0.0, .high = 1.0, .points = 21};
   domain.depth = MotionAxis{.low = 0.0, .high = 20.0, .points = 81};
@@ -101,7 +101,7 @@ MotionDomain SmallDomain() {
 }
 
 TEST(IpfText, OfPeaksIsWhatTheHelmAddsUp) {
-  const MotionDomain domain = SmallDomain();
+  const MotionDomain domain = IpfDomain();
   OwnedMotionBid owned{.owner = "go", .weight = 60.0, .bid = {}};
   // Over north, and between the domain's points.
   owned.bid.course =
@@ -127,7 +127,7 @@ TEST(IpfText, OfPeaksIsWhatTheHelmAddsUp) {
 }
 
 TEST(IpfText, OfATableIsNearItEverywhereAndCrossedWithOtherPeaks) {
-  const MotionDomain domain = SmallDomain();
+  const MotionDomain domain = IpfDomain();
   MotionTable table(domain, {MotionVariable::kCourse, MotionVariable::kSpeed});
   const auto obstacle = [](double course, double speed) {
     const double off = std::abs(WrapAngle(course - 1.0));
@@ -153,8 +153,8 @@ TEST(IpfText, OfATableIsNearItEverywhereAndCrossedWithOtherPeaks) {
 }
 
 TEST(IpfText, OfABidOnNothingIsEmpty) {
-  EXPECT_EQ(IpfText({.owner = "timer", .weight = 100.0, .bid = {}}, SmallDomain(), 1), "");
-  MotionDomain without_depth = SmallDomain();
+  EXPECT_EQ(IpfText({.owner = "timer", .weight = 100.0, .bid = {}}, IpfDomain(), 1), "");
+  MotionDomain without_depth = IpfDomain();
   without_depth.depth.reset();
   OwnedMotionBid dive{.owner = "dive", .weight = 100.0, .bid = {}};
   dive.bid.depth = Peak{.summit = 3.0};

@@ -12,6 +12,7 @@
 #include "estimation/smoothing/factors/calibrated_step_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "tests/support/batch_solver.hpp"
+#include "tests/unit/smoothing/numeric_jacobian.hpp"
 
 namespace limpet {
 namespace {
@@ -105,6 +106,26 @@ TEST_F(SlowErrorsTest, CovariancesAreTheSameWhetherErrorsAreClosedOrNot) {
 TEST_F(SlowErrorsTest, AnUpdateStaysAsCheapHoweverManyErrorsAreClosed) {
   DriveStraight(450, true);
   EXPECT_LE(smoother_->border_size(), 2);
+}
+
+TEST(SlowErrorsFactor, IsZeroWhenTheErrorsFade) {
+  const SlowErrorsFactor factor({1.0, 1.0, 0.5}, {0.1, 0.1, 0.1});
+  EXPECT_NEAR(factor.Evaluate({0.2, 0.3, 0.4}, {0.2, 0.3, 0.2}).norm(), 0.0, 1e-12);
+}
+
+TEST(SlowErrorsFactor, JacobiansMatchCentralDifferences) {
+  const SlowErrorsFactor factor({1.0, 0.9, 0.5}, {0.1, 0.2, 0.3});
+  const Eigen::Vector3d a(0.2, 0.3, 0.4), b(0.1, 0.0, -0.2);
+  Eigen::Matrix3d J_a, J_b;
+  EXPECT_GT(factor.Evaluate(a, b, &J_a, &J_b).norm(), 0.0);
+  const auto of_a = [&](const Eigen::Vector3d& v) {
+    return Eigen::VectorXd(factor.Evaluate(v, b));
+  };
+  const auto of_b = [&](const Eigen::Vector3d& v) {
+    return Eigen::VectorXd(factor.Evaluate(a, v));
+  };
+  EXPECT_LT((J_a - NumericJacobian(of_a, a)).lpNorm<Eigen::Infinity>(), 1e-6);
+  EXPECT_LT((J_b - NumericJacobian(of_b, b)).lpNorm<Eigen::Infinity>(), 1e-6);
 }
 
 }  // namespace

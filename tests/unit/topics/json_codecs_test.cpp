@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "limpet/topics/mapping.hpp"
+#include "limpet/topics/mission.hpp"
 #include "limpet/topics/navigation.hpp"
 #include "limpet/topics/sensors.hpp"
+#include "tests/unit/topics/round_trip.hpp"
 
 namespace limpet {
 namespace {
@@ -140,6 +142,58 @@ TEST(WireForm, OfAFormerSessionMayPointABoxAtNoView) {
   ASSERT_TRUE(prior.has_value());
   for (const FormerView& view : prior->views) {
     EXPECT_TRUE(view.frame.boxes.empty());
+  }
+}
+
+TEST(JsonTopic, BringsBackDetections) {
+  const Detections sent{
+      .frame = 7,
+      .exposure = Seconds(1767225600.25),
+      .boxes = {{.u = 1.5, .v = 2, .w = 3, .h = 4, .confidence = 0.9, .color = "yellow"}}};
+  const auto back = RoundTrip(sent);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->exposure, sent.exposure);
+  ASSERT_EQ(back->boxes.size(), 1U);
+  EXPECT_EQ(back->boxes[0].color, "yellow");
+  EXPECT_EQ(back->boxes[0].u, 1.5);
+}
+
+TEST(JsonTopic, BringsBackDecisionsWithTheirReasons) {
+  HelmBids sent;
+  sent.cause = "arrived";
+  sent.options.push_back({.source = "beam",
+                          .length = 12.0,
+                          .total = 3.5,
+                          .end = {1.0, 2.0},
+                          .bids = {{.behavior = "cover",
+                                    .value = 15.5,
+                                    .weight = 1.0,
+                                    .has_veto = false,
+                                    .why = "useful=16"}}});
+  const auto back = RoundTrip(sent);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->options.at(0).bids.at(0).why, "useful=16");
+  EXPECT_EQ(back->options.at(0).end[1], 2.0);
+}
+
+TEST(JsonTopic, BringsBackAFrameWithoutAltitude) {
+  ObservedFrame sent;
+  sent.boxes.push_back({.color = "yellow", .landmark = 3});
+  const auto back = RoundTrip(sent);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_FALSE(back->altitude.has_value());
+  EXPECT_EQ(back->boxes.at(0).landmark, 3);
+}
+
+TEST(JsonTopic, DoesNotThrowAtBrokenUtf8) {
+  Detections sent;
+  sent.boxes.push_back({.u = 0, .v = 0, .w = 1, .h = 1, .confidence = 1, .color = "\xff"});
+  EXPECT_TRUE(RoundTrip(sent).has_value());
+}
+
+TEST(JsonTopic, RefusesWhatIsNoJsonOrLacksAField) {
+  for (const char* text : {"", "{", "[]", "null", "{\"frame\":1}", "{\"frame\":\"x\"}"}) {
+    EXPECT_FALSE(TopicCodec<Detections>::Decode(std::string(text)).has_value()) << text;
   }
 }
 
