@@ -34,7 +34,7 @@ class NavApp final : public App {
   struct Params {
     Seconds alignment{5.0};
     MetersPerSecond dvl_jump = VelocityGateParams{}.jump;
-    Seconds frame_wait = NavigatorParams{}.frame_wait;
+    Seconds frame_wait{0.4};  // less than a recording is given: what steers lags behind by it
     Seconds stale_after{2.0};
     MetersPerSecond strongest_current{0.5};
     Meters opi_radius{0.5};

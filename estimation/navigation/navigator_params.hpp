@@ -18,7 +18,7 @@ struct NavigatorParams {
   CameraModel camera;
   ObjectTrackerParams objects;
   ArrowParams smoother{.converged_decrease = 1e-6};
-  Seconds frame_wait{0.4};         ///< boxes of a frame are waited for this long after its exposure
+  Seconds frame_wait{0.6};         ///< boxes of a frame are waited for this long after its exposure
   Seconds node_period{1.0};        ///< longest time between poses of the chain
   Meters node_distance{0.5};       ///< longest way between them
   Meters depth_sigma{0.015};       ///< of the depths of one second together, bias included
