@@ -32,8 +32,7 @@ struct TourGoal {
   /// Metres that the way may be longer for ground to be seen a metre sooner, mean over the area.
   double early_weight = kSurveyRates.early;
   /// Metres that it may be longer for most of bottom and band's top (TourCost::most) to have been
-  /// seen a metre sooner:
-  /// what is left then are slivers, which may come last.
+  /// seen a metre sooner: what is left then are slivers, which may come last.
   double most_weight = kSurveyRates.most;
   /// Where the vehicle goes when it is over, or on when this block of it is, NED [m].
   PlanePoint home_W{0.0, 0.0};
