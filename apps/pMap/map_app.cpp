@@ -58,7 +58,7 @@ void MapApp::OnArea(const Stamped<SurveyArea>& area) {
   if (area_ != area.value) {
     area_ = area.value;
     ground_.emplace(area.value, params_.cell, camera_, map_.beams(), params_.seam_loss);
-    ground_->SetReach(PlannedDetection().HalfRange());
+    ground_->SetReach(HalfRange(PlannedDetection()));
     ground_->SetObstacles(obstacle_finder_.obstacles());
   }
 }
@@ -276,7 +276,7 @@ void MapApp::FollowSeams(double allowance) {
 
 void MapApp::FollowWater(const VisibilityBelief& water) {
   constexpr double kOtherWater = 0.15;  // share; below it plans would change for nothing
-  const Meters visibility = params_.status.detection.MeanVisibility(water);
+  const Meters visibility = MeanVisibility(params_.status.detection, water);
   if (std::abs(visibility / planned_visibility_ - 1.0) <= kOtherWater) {
     return;
   }
@@ -285,7 +285,7 @@ void MapApp::FollowWater(const VisibilityBelief& water) {
   ground_looks_.SetModel(PlannedLook());
   layer_.SetDetection(PlannedDetection());
   if (ground_) {
-    ground_->SetReach(PlannedDetection().HalfRange());
+    ground_->SetReach(HalfRange(PlannedDetection()));
   }
 }
 

@@ -31,8 +31,8 @@ std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water, doub
   if (!gate_.altitude()) {
     return std::nullopt;
   }
-  return water.Expect(
-      params_.status.detection.Detects(farther * *gate_.altitude(), 1.0, VisibilityBelief::Grid()));
+  return water.Expect(DetectionChances(params_.status.detection, farther * *gate_.altitude(), 1.0,
+                                       VisibilityBelief::Grid()));
 }
 
 void MapApp::WarnOfMurk(const VisibilityBelief& water) {

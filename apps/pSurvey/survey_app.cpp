@@ -222,7 +222,7 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
 void SurveyApp::OnLook(const Stamped<MapLook>& look) {
   const LookModel model = ToLookModel(look.value);
   footprint_.emplace(params_.altitude.value(), params_.object_height_max.value(), model.camera,
-                     model.detection.HalfRange());
+                     HalfRange(model.detection));
 }
 
 double SurveyApp::AttainableShare() const {

@@ -7,9 +7,10 @@
 
 #include "estimation/change/look_log.hpp"
 #include "estimation/matching/session_matching.hpp"
+#include "limpet/objects/detection_model.hpp"
 #include "limpet/objects/frame.hpp"
-#include "limpet/survey/detection_model.hpp"
 #include "limpet/survey/sight_obstacles.hpp"
+#include "limpet/survey/visibility_belief.hpp"
 
 namespace limpet {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "limpet/core/random.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 #include "limpet/topics/navigation.hpp"
 
 namespace limpet::trial {

@@ -7,7 +7,7 @@
 
 #include "limpet/preflight/checks.hpp"
 #include "limpet/survey/band_top.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 #include "limpet/vision/box_model.hpp"
 
 namespace limpet::internal {
@@ -116,10 +116,10 @@ void CheckVisibility(const MissionReading& reading, const SurveyFacts& survey,
   DetectionModel model{.visibility = Meters(expected->number())};
   if (const auto share = reading.Find("pMap", "detection_half_range"))
     model.half_range = share->number();
-  if (altitude > model.HalfRange()) {
+  if (altitude > HalfRange(model)) {
     found.notes.push_back(survey.altitude.Refuse(
         fmt::format("from {:g} m the seabed is not in sight in water of {}: up to {:.2f} m it is",
-                    altitude, expected->Named(), model.HalfRange())));
+                    altitude, expected->Named(), HalfRange(model))));
   }
 }
 

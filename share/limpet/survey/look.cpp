@@ -22,8 +22,8 @@ double ChanceToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vec
   const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
   if (share <= 0.0) return 0.0;
   const double range = (p_W - X_WB.p_WB).norm();
-  return model.detection.Detects(range, share) *
-         model.detection.FindsSize(SizeInImage(model, range));
+  return DetectionChance(model.detection, range, share) *
+         SizeFactor(model.detection, SizeInImage(model, range));
 }
 
 PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vector3d& p_W,
@@ -31,8 +31,8 @@ PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB, const Ei
   const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
   if (share <= 0.0) return {0.0};
   const double range = (p_W - X_WB.p_WB).norm();
-  return model.detection.Detects(range, share, visibilities) *
-         model.detection.FindsSize(SizeInImage(model, range));
+  return DetectionChances(model.detection, range, share, visibilities) *
+         SizeFactor(model.detection, SizeInImage(model, range));
 }
 
 std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, double slack) {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "limpet/core/camera_model.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 #include "limpet/topics/mapping.hpp"
 
 namespace limpet {

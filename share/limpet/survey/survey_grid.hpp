@@ -34,7 +34,7 @@ namespace limpet {
 /// of four linear bounds. Three frames are not counted: at 4 fps and 0.5 m/s they are 0.25 m of
 /// track, far less than the image is long.
 ///
-/// Water. What is farther away than the reach (DetectionModel::HalfRange) does not count as seen.
+/// Water. What is farther away than the reach (HalfRange of the detector) does not count as seen.
 /// The closest that a cell's bottom has ever been is kept, so that what has been seen follows from
 /// what is known of the water today: at closest range r and reach d, heights above r - d were in
 /// sight. (Along the ray to the bottom this is exact; straight above the cell it is up to 0.1 m too

@@ -13,7 +13,7 @@
 
 #include "limpet/core/units.hpp"
 #include "limpet/mission/scenario.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/objects/detection_model.hpp"
 #include "limpet/vehicle/sensor_sheets.hpp"
 #include "limpet/vision/box_model.hpp"
 

@@ -40,8 +40,7 @@ class SurveyAppTest : public ::testing::Test {
   /// The map says that one sees so far.
   void Murk(double reach) {
     LookModel look;
-    look.detection.visibility =
-        Meters(reach / DetectionModel{.visibility = Meters(1.0)}.HalfRange());
+    look.detection.visibility = Meters(reach / HalfRange({.visibility = Meters(1.0)}));
     link_.Send(app_, topics::kMapLook, ToMapLook(look));
   }
   void ReachTarget() { link_.Send(app_, topics::kMapCoverage, Coverage{0.99, 0.99, 0.99}); }

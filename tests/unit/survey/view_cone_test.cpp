@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 
 namespace limpet {
 namespace {
@@ -104,18 +104,18 @@ TEST(ViewCone, NamesEveryCellThatItMaySee) {
   }
 }
 
-TEST(DetectionModelProperties, IsAChanceThatFallsWithRangeAndGrowsWithTheShareShown) {
+TEST(DetectionChanceProperties, IsAChanceThatFallsWithRangeAndGrowsWithTheShareShown) {
   Random random(5, "detects");
   for (int run = 0; run < 2000; ++run) {
     DetectionModel model;
     model.best = random.Uniform(0.1, 0.99);
     model.visibility = Meters(random.Uniform(2.0, 12.0));
     const double range = random.Uniform(0.0, 15.0), share = random.Uniform(0.0, 1.0);
-    const double chance = model.Detects(range, share);
+    const double chance = DetectionChance(model, range, share);
     EXPECT_GE(chance, 0.0);
     EXPECT_LE(chance, model.best + 1e-12);
-    EXPECT_LE(model.Detects(range + 0.5, share), chance + 1e-12);
-    EXPECT_GE(model.Detects(range, std::min(1.0, share + 0.1)), chance - 1e-12);
+    EXPECT_LE(DetectionChance(model, range + 0.5, share), chance + 1e-12);
+    EXPECT_GE(DetectionChance(model, range, std::min(1.0, share + 0.1)), chance - 1e-12);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 
 namespace limpet {
 namespace {
@@ -50,7 +50,7 @@ VisibilityEstimate EstimateIn(double visibility, double reach_factor, double fad
     const double range = random.Uniform(0.2, 2.0) * visibility * reach_factor;
     const double x = (range - 1.1 * reach_factor * visibility) / (0.06 * fade_factor * visibility);
     const bool is_seen = random.Chance(0.95 / (1.0 + std::exp(x)));
-    const PerVisibility detects = model.Detects(range, 1.0, VisibilityBelief::Grid());
+    const PerVisibility detects = DetectionChances(model, range, 1.0, VisibilityBelief::Grid());
     belief.Add(detects.unaryExpr([is_seen](double p) {
       const double mixed = 0.9 * p + 0.1 * 0.05;
       return is_seen ? std::log(mixed) : std::log1p(-mixed);

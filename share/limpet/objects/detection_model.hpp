@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
-#include "limpet/core/camera_model.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
-#include "limpet/survey/visibility_belief.hpp"
 
 namespace limpet {
 
-/// How well the detector sees: the chance that one frame shows a box for an object that is there,
-/// and for a place where there is none. docs/references.md, "Change posterior".
+/// How well a detector sees in this water: what pMap's block says, MAP_LOOK carries and a
+/// detector's file brings. What follows from it for a frame: survey/detection_chance.hpp.
 struct DetectionModel {
   double best = 0.97;             ///< chance per frame close by and wholly inside the image
   Meters visibility{8.0};         ///< range at which contrast is gone
@@ -43,24 +39,6 @@ struct DetectionModel {
     visit("false_detections_per_image", false_per_image, "Boxes per image that show nothing",
           InRange(1e-4, 1.0));
   }
-
-  /// Chance of a box in one frame for an object `range` metres away of which `share` is inside the
-  /// image.
-  [[nodiscard]] double Detects(double range, double share) const;
-  /// The chance in water of each of several visibilities [m], instead of `visibility`.
-  [[nodiscard]] PerVisibility Detects(double range, double share,
-                                      const PerVisibility& visibilities) const;
-  /// Factor on that for an object whose image has this diameter.
-  [[nodiscard]] double FindsSize(double size_px) const;
-  /// The range at which half the chance that there is close by is left [m].
-  [[nodiscard]] double HalfRange() const;
-  /// The visibility at which this range is what it is on average over `water`.
-  [[nodiscard]] Meters MeanVisibility(const VisibilityBelief& water) const;
 };
-
-/// Share of a sphere's disc (centre p_W, NED, radius [m]) that lies inside the image; 0 behind the
-/// camera.
-[[nodiscard]] double VisibleShare(const CameraModel& camera, const Pose& X_WB,
-                                  const Eigen::Vector3d& p_W, double radius);
 
 }  // namespace limpet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,16 @@ double SmoothStep(double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
+/// Factor on the chance for an object of which `share` is inside the image.
+double InsideFactor(const DetectionModel& detector, double share) {
+  return SmoothStep((share - detector.share_none) /
+                    std::max(detector.share_full - detector.share_none, 1e-6));
+}
+
 /// Share of the contrast that reaches a camera `range` metres away in water of this visibility [m].
-double Contrast(const DetectionModel& model, double range, double visibility) {
-  return 1.0 /
-         (1.0 + std::exp((range - model.half_range * visibility) / (model.fall_off * visibility)));
+double Contrast(const DetectionModel& detector, double range, double visibility) {
+  return 1.0 / (1.0 + std::exp((range - detector.half_range * visibility) /
+                               (detector.fall_off * visibility)));
 }
 
 /// Offset of the i-th of kDiscPoints points spread evenly over the unit disc (sunflower).
@@ -31,34 +37,37 @@ Eigen::Vector2d DiscPoint(int i) {
 
 }  // namespace
 
-double DetectionModel::Detects(double range, double share) const {
-  const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
-  return best * Contrast(*this, range, visibility.value()) * inside;
+double DetectionChance(const DetectionModel& detector, double range, double share) {
+  return detector.best * Contrast(detector, range, detector.visibility.value()) *
+         InsideFactor(detector, share);
 }
 
-PerVisibility DetectionModel::Detects(double range, double share,
-                                      const PerVisibility& visibilities) const {
-  const double inside = SmoothStep((share - share_none) / std::max(share_full - share_none, 1e-6));
+PerVisibility DetectionChances(const DetectionModel& detector, double range, double share,
+                               const PerVisibility& visibilities) {
+  const double inside = InsideFactor(detector, share);
   return visibilities.unaryExpr(
-      [&](double reach) { return best * Contrast(*this, range, reach) * inside; });
+      [&](double reach) { return detector.best * Contrast(detector, range, reach) * inside; });
 }
 
-double DetectionModel::HalfRange() const { return half_range * visibility.value(); }
-
-double DetectionModel::FindsSize(double size_px) const {
-  return 1.0 / (1.0 + std::exp((least_size_px - size_px) / (kSizeFallOff * least_size_px)));
+double SizeFactor(const DetectionModel& detector, double size_px) {
+  const double least = detector.least_size_px;
+  return 1.0 / (1.0 + std::exp((least - size_px) / (kSizeFallOff * least)));
 }
 
-Meters DetectionModel::MeanVisibility(const VisibilityBelief& water) const {
+double HalfRange(const DetectionModel& detector) {
+  return detector.half_range * detector.visibility.value();
+}
+
+Meters MeanVisibility(const DetectionModel& detector, const VisibilityBelief& water) {
   constexpr int kBisections = 40;
   double sure = 0.0, hopeless = 2.0 * VisibilityBelief::kMost_m;
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (sure + hopeless);
     const PerVisibility contrast = VisibilityBelief::Grid().unaryExpr(
-        [&](double reach) { return Contrast(*this, middle, reach); });
+        [&](double reach) { return Contrast(detector, middle, reach); });
     (water.Expect(contrast) > 0.5 ? sure : hopeless) = middle;
   }
-  return Meters(sure / half_range);
+  return Meters(sure / detector.half_range);
 }
 
 double VisibleShare(const CameraModel& camera, const Pose& X_WB, const Eigen::Vector3d& p_W,

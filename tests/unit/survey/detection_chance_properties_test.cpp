@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
-#include "limpet/survey/detection_model.hpp"
+#include "limpet/survey/detection_chance.hpp"
 
 namespace limpet {
 namespace {
@@ -24,7 +24,7 @@ DetectionModel DrawModel(Random& random) {
   return model;
 }
 
-class DetectionModelProperties : public ::testing::TestWithParam<int> {
+class DetectionChanceProperties : public ::testing::TestWithParam<int> {
  protected:
   Random random_{static_cast<std::uint64_t>(GetParam()), "detection model"};
   const DetectionModel model_ = DrawModel(random_);
@@ -33,95 +33,96 @@ class DetectionModelProperties : public ::testing::TestWithParam<int> {
   }
 };
 
-TEST_P(DetectionModelProperties, AChanceIsNeverMoreThanTheBest) {
+TEST_P(DetectionChanceProperties, AChanceIsNeverMoreThanTheBest) {
   for (int i = 0; i < 200; ++i) {
-    const double chance = model_.Detects(DrawRange(), random_.Uniform(0.0, 1.0));
+    const double chance = DetectionChance(model_, DrawRange(), random_.Uniform(0.0, 1.0));
     EXPECT_GE(chance, 0.0);
     EXPECT_LE(chance, model_.best);
   }
 }
 
-TEST_P(DetectionModelProperties, MoreRangeNeverHelpsAndMoreOfTheObjectNeverHurts) {
+TEST_P(DetectionChanceProperties, MoreRangeNeverHelpsAndMoreOfTheObjectNeverHurts) {
   for (int i = 0; i < 100; ++i) {
     const double near = DrawRange(), far = near + random_.Uniform(0.0, 5.0);
     const double little = random_.Uniform(0.0, 1.0), much = random_.Uniform(little, 1.0);
-    EXPECT_GE(model_.Detects(near, much), model_.Detects(far, much));
-    EXPECT_GE(model_.Detects(near, much), model_.Detects(near, little));
+    EXPECT_GE(DetectionChance(model_, near, much), DetectionChance(model_, far, much));
+    EXPECT_GE(DetectionChance(model_, near, much), DetectionChance(model_, near, little));
   }
 }
 
-TEST_P(DetectionModelProperties, AtTheHalfRangeHalfIsLeftAndTheFallIsSymmetricAboutIt) {
-  const double half = model_.HalfRange();
-  EXPECT_NEAR(model_.Detects(half, 1.0), 0.5 * model_.best, 1e-12);
+TEST_P(DetectionChanceProperties, AtTheHalfRangeHalfIsLeftAndTheFallIsSymmetricAboutIt) {
+  const double half = HalfRange(model_);
+  EXPECT_NEAR(DetectionChance(model_, half, 1.0), 0.5 * model_.best, 1e-12);
   for (int i = 0; i < 20; ++i) {
     const double off = random_.Uniform(0.0, half);
-    EXPECT_NEAR(model_.Detects(half - off, 1.0) + model_.Detects(half + off, 1.0), model_.best,
-                1e-9);
+    EXPECT_NEAR(DetectionChance(model_, half - off, 1.0) + DetectionChance(model_, half + off, 1.0),
+                model_.best, 1e-9);
   }
 }
 
-TEST_P(DetectionModelProperties, TwiceTheVisibilityShowsTwiceAsFar) {
+TEST_P(DetectionChanceProperties, TwiceTheVisibilityShowsTwiceAsFar) {
   DetectionModel clearer = model_;
   clearer.visibility = 2.0 * model_.visibility;
   for (int i = 0; i < 50; ++i) {
     const double range = DrawRange(), share = random_.Uniform(0.0, 1.0);
-    EXPECT_NEAR(clearer.Detects(2.0 * range, share), model_.Detects(range, share), 1e-12);
+    EXPECT_NEAR(DetectionChance(clearer, 2.0 * range, share), DetectionChance(model_, range, share),
+                1e-12);
   }
 }
 
-TEST_P(DetectionModelProperties, TheBorderMattersBetweenItsTwoSharesOnly) {
-  const double range = DrawRange(), open = model_.Detects(range, 1.0);
-  EXPECT_EQ(model_.Detects(range, model_.share_none), 0.0);
-  EXPECT_EQ(model_.Detects(range, 0.5 * model_.share_none), 0.0);
-  EXPECT_NEAR(model_.Detects(range, model_.share_full), open, 1e-12);
+TEST_P(DetectionChanceProperties, TheBorderMattersBetweenItsTwoSharesOnly) {
+  const double range = DrawRange(), open = DetectionChance(model_, range, 1.0);
+  EXPECT_EQ(DetectionChance(model_, range, model_.share_none), 0.0);
+  EXPECT_EQ(DetectionChance(model_, range, 0.5 * model_.share_none), 0.0);
+  EXPECT_NEAR(DetectionChance(model_, range, model_.share_full), open, 1e-12);
   const double middle = 0.5 * (model_.share_none + model_.share_full);
-  EXPECT_NEAR(model_.Detects(range, middle), 0.5 * open, 1e-9);
+  EXPECT_NEAR(DetectionChance(model_, range, middle), 0.5 * open, 1e-9);
   // Between them it rises smoothly: slowly at first, and from three quarters on hardly any more.
   const double quarter = model_.share_none + 0.25 * (model_.share_full - model_.share_none);
-  EXPECT_NEAR(model_.Detects(range, quarter), 5.0 / 32.0 * open, 1e-9);
+  EXPECT_NEAR(DetectionChance(model_, range, quarter), 5.0 / 32.0 * open, 1e-9);
 }
 
-TEST_P(DetectionModelProperties, TheChancesOfAllWatersAreThoseOfEachWater) {
+TEST_P(DetectionChanceProperties, TheChancesOfAllWatersAreThoseOfEachWater) {
   for (int i = 0; i < 20; ++i) {
     const double range = DrawRange(), share = random_.Uniform(0.0, 1.0);
-    const PerVisibility all = model_.Detects(range, share, VisibilityBelief::Grid());
+    const PerVisibility all = DetectionChances(model_, range, share, VisibilityBelief::Grid());
     for (int k = 0; k < PerVisibility::kCount; ++k) {
       DetectionModel in_it = model_;
       in_it.visibility = Meters(VisibilityBelief::Grid()(k));
-      EXPECT_NEAR(all(k), in_it.Detects(range, share), 1e-12);
+      EXPECT_NEAR(all(k), DetectionChance(in_it, range, share), 1e-12);
     }
   }
 }
 
-TEST_P(DetectionModelProperties, SizeHelpsByHalfAtItsLeastAndNearlyWhollyAtTwice) {
-  EXPECT_NEAR(model_.FindsSize(model_.least_size_px), 0.5, 1e-12);
-  EXPECT_GT(model_.FindsSize(2.0 * model_.least_size_px), 0.999);
-  EXPECT_LT(model_.FindsSize(0.5 * model_.least_size_px), 0.01);
+TEST_P(DetectionChanceProperties, SizeHelpsByHalfAtItsLeastAndNearlyWhollyAtTwice) {
+  EXPECT_NEAR(SizeFactor(model_, model_.least_size_px), 0.5, 1e-12);
+  EXPECT_GT(SizeFactor(model_, 2.0 * model_.least_size_px), 0.999);
+  EXPECT_LT(SizeFactor(model_, 0.5 * model_.least_size_px), 0.01);
   for (int i = 0; i < 50; ++i) {
     const double size = random_.Uniform(0.0, 3.0) * model_.least_size_px;
-    EXPECT_LE(model_.FindsSize(size), model_.FindsSize(size + random_.Uniform(0.0, 5.0)));
+    EXPECT_LE(SizeFactor(model_, size), SizeFactor(model_, size + random_.Uniform(0.0, 5.0)));
   }
 }
 
-TEST_P(DetectionModelProperties, TheMeanVisibilityOfSureWaterIsThatOfTheWater) {
+TEST_P(DetectionChanceProperties, TheMeanVisibilityOfSureWaterIsThatOfTheWater) {
   for (int i = 0; i < 10; ++i) {
     const double visibility = 1.5 * std::pow(10.0, random_.Uniform(0.0, 1.0));
     // Between two steps of the grid it is known to a tenth.
     const VisibilityBelief sure(Meters(visibility), 1.1);
-    EXPECT_NEAR(model_.MeanVisibility(sure).value() / visibility, 1.0, 0.12);
+    EXPECT_NEAR(MeanVisibility(model_, sure).value() / visibility, 1.0, 0.12);
   }
 }
 
-TEST_P(DetectionModelProperties, ClearerWaterHasAGreaterMeanVisibility) {
+TEST_P(DetectionChanceProperties, ClearerWaterHasAGreaterMeanVisibility) {
   double before = 0.0;
   for (const double visibility : {1.0, 2.0, 4.0, 8.0, 16.0}) {
-    const double mean = model_.MeanVisibility(VisibilityBelief(Meters(visibility), 1.5)).value();
+    const double mean = MeanVisibility(model_, VisibilityBelief(Meters(visibility), 1.5)).value();
     EXPECT_GT(mean, 1.3 * before);
     before = mean;
   }
 }
 
-TEST_P(DetectionModelProperties, AShareOfADiscIsThatOfAnyWayTheVehicleIsTurned) {
+TEST_P(DetectionChanceProperties, AShareOfADiscIsThatOfAnyWayTheVehicleIsTurned) {
   const CameraModel camera;
   for (int i = 0; i < 30; ++i) {
     const Eigen::Vector3d p_B(random_.Uniform(-3.0, 3.0), random_.Uniform(-3.0, 3.0),
@@ -139,7 +140,7 @@ TEST_P(DetectionModelProperties, AShareOfADiscIsThatOfAnyWayTheVehicleIsTurned) 
   }
 }
 
-TEST_P(DetectionModelProperties, AnImageOfTwiceTheSizeNeverShowsLess) {
+TEST_P(DetectionChanceProperties, AnImageOfTwiceTheSizeNeverShowsLess) {
   const CameraModel camera;
   CameraModel wide = camera;  // the same lens before more pixels
   wide.width_px *= 2, wide.height_px *= 2;
@@ -151,7 +152,7 @@ TEST_P(DetectionModelProperties, AnImageOfTwiceTheSizeNeverShowsLess) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Drawn, DetectionModelProperties, ::testing::Range(1, 9));
+INSTANTIATE_TEST_SUITE_P(Drawn, DetectionChanceProperties, ::testing::Range(1, 9));
 
 }  // namespace
 }  // namespace limpet
