@@ -3,7 +3,9 @@
 //   template <class V> void Describe(V& visit) { visit("north", north); visit("altitude",
 //   altitude); }
 // Fields: double, int, bool, std::string (commas only within braces; no '=' before the first
-// brace), and std::optional of double, bool and std::string (absent when unknown).
+// brace), quantities in the unit of their text, and std::optional of double, bool and std::string
+// (absent when unknown). Parameters are declared so, too, and may be fields of a record: what their
+// declaration adds, help and range, is for blocks; a record holds any value.
 #pragma once
 
 #include <optional>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 
@@ -21,6 +24,10 @@ class RecordWriter {
   void operator()(const char* name, const int& field) { Append(name, std::to_string(field)); }
   void operator()(const char* name, const bool& field) { Append(name, field ? "true" : "false"); }
   void operator()(const char* name, const std::string& field) { Append(name, field); }
+  template <class D>
+  void operator()(const char* name, const Quantity<D>& field) {
+    Append(name, TextOf(field.in_text_unit()));
+  }
   void operator()(const char* name, const std::optional<double>& field) {
     if (field) Append(name, TextOf(*field));
   }
@@ -29,6 +36,10 @@ class RecordWriter {
   }
   void operator()(const char* name, const std::optional<std::string>& field) {
     if (field) Append(name, *field);
+  }
+  template <class Field, class... More>
+  void operator()(const char* name, const Field& field, const char* /*help*/, const More&...) {
+    (*this)(name, field);
   }
   [[nodiscard]] std::string& text() { return text_; }
 
@@ -46,9 +57,19 @@ class RecordReader {
   void operator()(const char* name, int& field);
   void operator()(const char* name, bool& field);
   void operator()(const char* name, std::string& field);
+  template <class D>
+  void operator()(const char* name, Quantity<D>& field) {
+    double text = field.in_text_unit();
+    (*this)(name, text);
+    field = Quantity<D>::FromTextUnit(text);
+  }
   void operator()(const char* name, std::optional<double>& field);
   void operator()(const char* name, std::optional<bool>& field);
   void operator()(const char* name, std::optional<std::string>& field);
+  template <class Field, class... More>
+  void operator()(const char* name, Field& field, const char* /*help*/, const More&...) {
+    (*this)(name, field);
+  }
   [[nodiscard]] bool is_good() const { return is_good_; }
 
  private:

@@ -82,8 +82,8 @@ struct TopicCodec<Binary> {
 namespace internal {
 
 struct FieldNames {
-  template <class T>
-  void operator()(const char* name, const T&) {
+  template <class T, class... More>
+  void operator()(const char* name, const T&, const More&...) {
     names.emplace_back(name);
   }
   std::vector<std::string> names;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/core/params.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 namespace {
@@ -54,6 +56,26 @@ TEST(Record, IsRefusedWhenAFieldIsMissingOrMalformed) {
         "depth=1,count=2,is_on=perhaps,mode=a", "depth=1,count=2,is_on=true,mode=a,altitude=?"}) {
     EXPECT_FALSE(DecodeRecord<Sample>(text).has_value()) << text;
   }
+}
+
+/// Declared as parameters are.
+struct Sheet {
+  double share = 0.5;
+  Radians tilt{0.0};
+  template <class V>
+  void Describe(V& visit) {
+    visit("share", share, "Share of something", InRange(0.0, 1.0));
+    visit("tilt_deg", tilt, "How far it is tilted");
+  }
+};
+
+TEST(Record, HoldsParametersInTheUnitOfTheirText) {
+  EXPECT_EQ(EncodeRecord(Sheet{.tilt = Radians::FromTextUnit(45.0)}), "share=0.5,tilt_deg=45");
+  const auto back = DecodeRecord<Sheet>("tilt_deg=90,share=2");
+  ASSERT_TRUE(back.has_value());
+  EXPECT_DOUBLE_EQ(back->tilt.value(), RadiansFromDegrees(90.0));
+  EXPECT_EQ(back->share, 2.0) << "ranges are for blocks";
+  EXPECT_FALSE(DecodeRecord<Sheet>("share=0.5").has_value());
 }
 
 TEST(Random, GivesEachNameAStreamOfItsOwn) {

@@ -36,12 +36,28 @@ struct FieldCollector {
   void operator()(const char* name, const T& field) {
     fields.push_back({name, field});
   }
+  template <class D>
+  void operator()(const char* name, const Quantity<D>& field) {
+    fields.push_back({name, field.in_text_unit()});
+  }
+  template <class T>
+  void operator()(const char* name, const T& field, const char*, const auto&...) {
+    (*this)(name, field);
+  }
 };
 
 class FieldFiller {
  public:
   explicit FieldFiller(Random& random) : random_(random) {}
   void operator()(const char*, double& field) { field = Number(); }
+  template <class D>
+  void operator()(const char*, Quantity<D>& field) {
+    field = Quantity<D>::FromTextUnit(Number());
+  }
+  template <class T>
+  void operator()(const char* name, T& field, const char*, const auto&...) {
+    (*this)(name, field);
+  }
   void operator()(const char*, int& field) {
     field = static_cast<int>(random_.Index(2'000'000)) - 1'000'000;
   }
