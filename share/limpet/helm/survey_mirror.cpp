@@ -115,7 +115,7 @@ void SurveyMirror::MirrorGround() {
 
 void SurveyMirror::SetLookModel(const MapLook& look) {
   watch_.SetModel(look);
-  reach_ = HalfRange(ToLookModel(look).detection);
+  reach_ = HalfRange(look.detection);
   seam_allowance_ = look.seam_allowance.value_or(0.0);
   if (area_) {
     MirrorGround();

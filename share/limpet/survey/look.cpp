@@ -70,29 +70,15 @@ MapLook ToMapLook(const LookModel& model) {
           .fov_along = model.camera.fov_along(),
           .width_px = model.camera.width_px,
           .height_px = model.camera.height_px,
-          .best = model.detection.best,
-          .visibility = model.detection.visibility.value(),
-          .half_range = model.detection.half_range,
-          .fall_off = model.detection.fall_off,
-          .least_size_px = model.detection.least_size_px,
-          .share_none = model.detection.share_none,
-          .share_full = model.detection.share_full,
+          .detection = model.detection,
           .object_radius = model.object_radius};
 }
 
 LookModel ToLookModel(const MapLook& look) {
-  LookModel model;
-  model.camera =
-      CameraModel::FromFieldOfView(look.width_px, look.height_px, look.fov_across, look.fov_along);
-  model.detection.best = look.best;
-  model.detection.visibility = Meters(look.visibility);
-  model.detection.half_range = look.half_range;
-  model.detection.fall_off = look.fall_off;
-  model.detection.least_size_px = look.least_size_px;
-  model.detection.share_none = look.share_none;
-  model.detection.share_full = look.share_full;
-  model.object_radius = look.object_radius;
-  return model;
+  return {.camera = CameraModel::FromFieldOfView(look.width_px, look.height_px, look.fov_across,
+                                                 look.fov_along),
+          .detection = look.detection,
+          .object_radius = look.object_radius};
 }
 
 }  // namespace limpet

@@ -45,7 +45,8 @@ struct LookWindow {
 [[nodiscard]] std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop,
                                                         double slack);
 
-/// The model as MAP_LOOK carries it, and back.
+/// The model as MAP_LOOK carries it, and back: of a camera that looks straight down from the body's
+/// origin, for where it is mounted MAP_LOOK does not say.
 [[nodiscard]] MapLook ToMapLook(const LookModel& model);
 [[nodiscard]] LookModel ToLookModel(const MapLook& look);
 

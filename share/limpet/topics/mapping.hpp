@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/objects/detection_model.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/objects/object_estimate.hpp"
 #include "limpet/topics/packed_bytes.hpp"
@@ -88,15 +89,10 @@ struct TopicCodec<Obstacles> : JsonCodec<Obstacles> {};
 /// By what the map judges whether a frame looks at a place: camera and detector as it believes them
 /// (`survey/look.hpp`). Who plans looks plans them by this.
 struct MapLook {
-  double fov_across = 0.0, fov_along = 0.0;  ///< full angles [rad]
+  /// Of the camera its image: full angles [rad] and size. Who plans takes it to look straight down.
+  double fov_across = 0.0, fov_along = 0.0;
   int width_px = 0, height_px = 0;
-  double best = 0.0;           ///< chance per frame close by and wholly inside the image
-  double visibility = 0.0;     ///< range at which contrast is gone [m]
-  double half_range = 1.0;     ///< over the visibility: there half of the best chance is left
-  double fall_off = 0.1;       ///< over the visibility: within so much it falls
-  double least_size_px = 1.0;  ///< diameter of an object's image of which half are found
-  double share_none = 0.0;     ///< share of an object inside the image below which it is missed
-  double share_full = 0.0;     ///< and above which the border does not matter
+  DetectionModel detection;    ///< in the water that plans are made for
   double object_radius = 0.0;  ///< [m]
   /// Images count as drawn in by so much on every side: passes may have come apart [m].
   std::optional<double> seam_allowance = std::nullopt;
@@ -104,11 +100,9 @@ struct MapLook {
   void Describe(V& visit) {
     visit("seam_allowance", seam_allowance);
     visit("fov_across", fov_across), visit("fov_along", fov_along);
-    visit("width_px", width_px), visit("height_px", height_px), visit("best", best);
-    visit("visibility", visibility), visit("half_range", half_range);
-    visit("fall_off", fall_off), visit("least_size_px", least_size_px);
-    visit("share_none", share_none);
-    visit("share_full", share_full), visit("object_radius", object_radius);
+    visit("width_px", width_px), visit("height_px", height_px);
+    detection.Describe(visit);
+    visit("object_radius", object_radius);
   }
 };
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/survey/look.hpp"
 
+#include <string>
+#include <variant>
+
 #include <gtest/gtest.h>
 
 namespace limpet {
@@ -62,6 +65,15 @@ TEST(LookModel, SurvivesItsMessage) {
   const auto sent = LookWindowAbove(model, 2.0, 0.1);
   const auto received = LookWindowAbove(ToLookModel(*decoded), 2.0, 0.1);
   EXPECT_DOUBLE_EQ(sent->half_across, received->half_across);
+}
+
+TEST(LookModel, IsNotTakenFromAMessageThatSaysAnythingOfTheDetectorUnderAnotherName) {
+  const std::string text =
+      std::get<std::string>(TopicCodec<MapLook>::Encode(ToMapLook(LookModel{})));
+  EXPECT_TRUE(TopicCodec<MapLook>::Decode(text));
+  std::string former = text;  // as logs of former versions have it
+  former.replace(former.find("visibility_m="), std::string("visibility_m=").size(), "visibility=");
+  EXPECT_FALSE(TopicCodec<MapLook>::Decode(former));
 }
 
 }  // namespace

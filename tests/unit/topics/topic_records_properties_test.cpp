@@ -205,7 +205,9 @@ TYPED_TEST(RecordProperty, IsNoneOfAnotherMoosType) {
 }
 
 TEST(RecordProperty, RefusesAWholeNumberThatNoFieldHolds) {
-  const std::string text = std::get<std::string>(TopicCodec<MapLook>::Encode({.width_px = 640}));
+  MapLook look;
+  look.width_px = 640;
+  const std::string text = std::get<std::string>(TopicCodec<MapLook>::Encode(look));
   for (const char* wrong : {"99999999999", "640.5", "-99999999999"}) {
     std::string spoilt = text;
     spoilt.replace(spoilt.find("=640") + 1, 3, wrong);
