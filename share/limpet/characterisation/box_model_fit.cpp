@@ -198,15 +198,16 @@ DetectionSheet SheetOf(const BoxModelConstants& boxes, const TrialResult& trial)
   constexpr double kMostWrong = 0.4;
   const double false_boxes = static_cast<double>(trial.false_boxes) / std::max(1, trial.pictures);
   const double wrong_color = std::clamp(boxes.confusion_whole, kLeastWrong, kMostWrong);
-  return {.best = kMargin * boxes.peak,
-          .half_range_share = kRangeMargin * boxes.faint_at,
-          .fall_off_share = std::max(boxes.faint_width, 0.03),
-          .least_size_px = 2.0 * boxes.least_radius_px,
-          .share_none = std::clamp(boxes.cut_at - boxes.cut_width, 0.0, 0.8),
-          .share_full = std::clamp(boxes.cut_at + 3.5 * boxes.cut_width, 0.1, 1.0),
-          .false_per_image = std::clamp(kFalseMargin * false_boxes, kLeastFalse, 1.0),
-          .wrong_color = wrong_color,
-          .color_penalty = ColorPenalty(wrong_color)};
+  return {
+      .detection = {.best = kMargin * boxes.peak,
+                    .half_range = kRangeMargin * boxes.faint_at,
+                    .fall_off = std::max(boxes.faint_width, 0.03),
+                    .least_size_px = 2.0 * boxes.least_radius_px,
+                    .share_none = std::clamp(boxes.cut_at - boxes.cut_width, 0.0, 0.8),
+                    .share_full = std::clamp(boxes.cut_at + 3.5 * boxes.cut_width, 0.1, 1.0),
+                    .false_per_image = std::clamp(kFalseMargin * false_boxes, kLeastFalse, 1.0)},
+      .wrong_color = wrong_color,
+      .color_penalty = ColorPenalty(wrong_color)};
 }
 
 }  // namespace limpet

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "limpet/mission/detector_settings.hpp"
+
 namespace limpet {
 namespace {
 
@@ -96,33 +98,45 @@ std::string ByColorAndKind(const TrialResult& trial) {
   return text + "\n";
 }
 
-std::string Line(std::string_view key, double value, std::string_view meaning) {
+/// `key: value  # meaning` under the file's key for the parameter `name` of `app`; nothing for a
+/// parameter that such a file does not say, as the visibility.
+std::string Line(std::string_view app, std::string_view name, double value,
+                 std::string_view meaning) {
+  const FactSource source = FactFor(app, name);
+  if (source.kind != &DetectorFacts()) return "";
+  const std::string_view key = source.fact.substr(source.fact.find('.') + 1);
   return fmt::format("  {}: {:.4g}  # {}\n", key, value, meaning);
 }
 
-/// Writes `section: key: value  # meaning` of what BoxModelConstants declares.
-class BoxLines {
+/// A line for each parameter that a Describe declares to `app`.
+class ParameterLines {
  public:
+  explicit ParameterLines(std::string_view app) : app_(app) {}
   void operator()(const char* name, double& field, const char* help, const Range<double>&) {
-    constexpr std::string_view kPrefix = "box_";  // of a camera's block
-    text += Line(std::string_view(name).substr(kPrefix.size()), field, help);
+    text += Line(app_, name, field, help);
+  }
+  void operator()(const char* name, Meters& field, const char* help, const Range<Meters>&) {
+    text += Line(app_, name, field.value(), help);
   }
   std::string text;
+
+ private:
+  std::string_view app_;
 };
 
+template <class Described>
+std::string LinesOf(std::string_view app, Described described) {
+  ParameterLines lines(app);
+  described.Describe(lines);
+  return lines.text;
+}
+
 std::string Believed(const DetectionSheet& sheet) {
-  return Line("best", sheet.best, "chance per picture of a near, whole object") +
-         Line("half_range_share", sheet.half_range_share,
-              "over the visibility: there half of it is left") +
-         Line("fall_off_share", sheet.fall_off_share, "over the visibility: within so much") +
-         Line("least_size_px", sheet.least_size_px,
-              "diameter in the image of which half are found") +
-         Line("share_none", sheet.share_none, "visible share below which nothing is found") +
-         Line("share_full", sheet.share_full, "and above which the border does not matter") +
-         Line("false_per_image", sheet.false_per_image, "boxes per picture that show nothing") +
-         Line("wrong_color", sheet.wrong_color, "share of boxes with a colour not the object's") +
-         Line("color_penalty", sheet.color_penalty,
-              "squared sigmas that another colour costs between sessions");
+  return LinesOf("pMap", sheet.detection) +
+         Line("pNav", "wrong_color_share", sheet.wrong_color,
+              "Share of boxes with a colour not the object's") +
+         Line("pNav", "match_color_penalty", sheet.color_penalty,
+              "Squared sigmas that another colour costs between sessions");
 }
 
 }  // namespace
@@ -148,10 +162,7 @@ std::optional<std::string> TooFewBalls(const TrialResult& trial) {
 }
 
 std::string DetectorSheetText(const SheetOrigin& origin, const TrialResult& trial) {
-  BoxModelConstants boxes = FitBoxModel(trial);
-  const DetectionSheet sheet = SheetOf(boxes, trial);
-  BoxLines lines;
-  boxes.Describe(lines);
+  const BoxModelConstants boxes = FitBoxModel(trial);
   const double false_boxes = static_cast<double>(trial.false_boxes) / std::max(1, trial.pictures);
   return fmt::format(
       "# What the detector `{0}` finds, measured on {1} rendered pictures of balls among other\n"
@@ -164,7 +175,8 @@ std::string DetectorSheetText(const SheetOrigin& origin, const TrialResult& tria
       "# What a simulated camera that makes boxes draws from.\n"
       "boxes:\n{7}",
       origin.detector, trial.pictures, origin.made_with, ByRangeAndSize(trial),
-      ByColorAndKind(trial), false_boxes, Believed(sheet), lines.text, origin.file);
+      ByColorAndKind(trial), false_boxes, Believed(SheetOf(boxes, trial)),
+      LinesOf("uSimCamera", boxes), origin.file);
 }
 
 }  // namespace limpet

@@ -9,6 +9,7 @@ namespace limpet {
 /// Name of the global of a mission that says which detector it uses, and what that one achieves.
 inline constexpr const char* kDetectorFileGlobal = "DetectorFile";
 
+/// Which keys such a file has, and for which parameters they stand: who writes one asks here, too.
 [[nodiscard]] const FactFile& DetectorFacts();
 
 }  // namespace limpet

@@ -54,11 +54,11 @@ TEST(FitBoxModel, OfFewLooksIsWithinItsBounds) {
 TEST(DetectionSheet, PromisesLessThanWasMeasured) {
   const TrialResult trial = DrawTrial(kOther, 5000, 4);
   const BoxModelConstants fitted = FitBoxModel(trial);
-  const DetectionSheet sheet = SheetOf(fitted, trial);
-  EXPECT_LT(sheet.best, fitted.peak);
-  EXPECT_LT(sheet.half_range_share, fitted.faint_at);
-  EXPECT_GT(sheet.false_per_image, static_cast<double>(trial.false_boxes) / trial.pictures);
-  EXPECT_LT(sheet.share_none, sheet.share_full);
+  const DetectionModel believed = SheetOf(fitted, trial).detection;
+  EXPECT_LT(believed.best, fitted.peak);
+  EXPECT_LT(believed.half_range, fitted.faint_at);
+  EXPECT_GT(believed.false_per_image, static_cast<double>(trial.false_boxes) / trial.pictures);
+  EXPECT_LT(believed.share_none, believed.share_full);
 }
 
 TEST(DetectionSheet, ADetectorThatConfusesColoursLetsThemDiffer) {
@@ -78,7 +78,7 @@ TEST(DetectionSheet, ADetectorThatConfusesColoursLetsThemDiffer) {
 TEST(DetectionSheet, OfADetectorThatInventedNothingStillExpectsSome) {
   TrialResult trial = DrawTrial(kOther, 2000, 5);
   trial.false_boxes = 0;
-  EXPECT_GT(SheetOf(FitBoxModel(trial), trial).false_per_image, 0.0);
+  EXPECT_GT(SheetOf(FitBoxModel(trial), trial).detection.false_per_image, 0.0);
 }
 
 }  // namespace
