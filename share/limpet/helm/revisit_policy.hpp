@@ -16,6 +16,7 @@ class RevisitPolicy {
  public:
   struct Params {
     double metres_per_nat = 270.0;
+    // Of a whole pass, which takes many frames. What one frame shows is DetectionModel's.
     double detection_probability = 0.95;
     double false_alarm_probability = 0.01;
     double settled_entropy = 0.25;
