@@ -276,7 +276,7 @@ void HelmApp::Drive(VehicleState& state) {
     TellRevisits(state.now);
     state.guidance = planner_.Guide(*nav_);
     Steer(state);
-    if (params_.park_on_allstop && allstop_text_ != "clear") Park(true);
+    if (params_.park_on_allstop && allstop_text_ != topics::kNoAllStop) Park(true);
   }
   SettleBehaviors(state);
 }
@@ -370,7 +370,7 @@ void HelmApp::PublishState(Seconds now) {
                           .course_deg = last_course_deg(),
                           .speed = motion_.speed,
                           .depth = motion_.depth,
-                          .is_halted = allstop_text_ != "clear",
+                          .is_halted = allstop_text_ != topics::kNoAllStop,
                           .functions = static_cast<int>(motion_.active.size()),
                           .warnings = static_cast<int>(warnings().size()),
                           .modes = host_.modes(),

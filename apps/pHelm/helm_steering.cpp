@@ -113,7 +113,7 @@ void HelmApp::AllStop(const std::string& why) {
 }
 
 void HelmApp::ClearAllStop() {
-  allstop_text_ = "clear";
+  allstop_text_ = topics::kNoAllStop;
   stopped_for_.clear();
   empty_decisions_ = 0;
 }

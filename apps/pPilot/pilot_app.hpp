@@ -9,6 +9,7 @@
 #include "limpet/app/app.hpp"
 #include "limpet/control/pilot.hpp"
 #include "limpet/core/params.hpp"
+#include "limpet/topics/mission.hpp"
 #include "limpet/topics/safety.hpp"
 
 namespace limpet {
@@ -87,7 +88,7 @@ class PilotApp final : public App {
   void OnDepth(const Stamped<double>& depth);
   void OnTurnRate(const Stamped<double>& rate);
   void OnOverride(const Stamped<bool>& is_manual) { is_manual_ = is_manual.value; }
-  void OnAllStop(const Stamped<std::string>& why) { is_halted_ = why.value != "clear"; }
+  void OnAllStop(const Stamped<std::string>& why) { is_halted_ = why.value != topics::kNoAllStop; }
   void OnSafety(const Stamped<std::string>& action);
   void HearWish(const std::string& name, double value, const PlausibleRange& range,
                 Latest<double>& wish);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "limpet/topics/mission.hpp"
+
 namespace limpet {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr Seconds kPatience(10.0);
 void HelmWatch::HearState(const std::string& state, Seconds now) {
   heard_ = now;
   state_ = state;
-  const bool drives = state_ == "DRIVE" && (all_stop_.empty() || all_stop_ == "clear");
+  const bool drives = state_ == "DRIVE" && (all_stop_.empty() || all_stop_ == topics::kNoAllStop);
   if (drives) {
     idle_since_.reset();
   } else if (!idle_since_) {

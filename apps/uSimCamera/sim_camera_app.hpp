@@ -100,7 +100,7 @@ class SimCameraApp final : public App {
   std::optional<Seconds> last_contrast_;
   BoxModel box_model_;
   Random box_random_, storm_random_;
-  double last_slot_ = -1.0;  ///< exposures are the first truth in each 1/rate of MOOS time
+  std::optional<double> last_slot_;  ///< exposures are the first truth in each 1/rate of MOOS time
   std::uint32_t frame_ = 0;
   std::deque<std::pair<Seconds, std::variant<CameraFrame, Detections>>> exposed_;
 };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
+#include "limpet/topics/mission.hpp"
 #include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
@@ -16,7 +17,7 @@ constexpr int kHelmIsThere = 2;  // the first word may be what a former helm lef
 bool IsDeployed(const DeploymentSigns& signs) { return ParseFlag(signs.deploy).value_or(false); }
 
 bool IsUnderWay(const DeploymentSigns& signs) {
-  return IsDeployed(signs) && (!signs.has_helm || signs.helm_stop == "clear") &&
+  return IsDeployed(signs) && (!signs.has_helm || signs.helm_stop == topics::kNoAllStop) &&
          (!signs.has_survey || (!signs.phase.empty() && signs.phase != NameOf(SurveyPhase::kIdle)));
 }
 

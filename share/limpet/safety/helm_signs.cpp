@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/safety/helm_signs.hpp"
 
+#include "limpet/topics/mission.hpp"
+
 namespace limpet {
 
 void HelmSigns::HearState(std::string_view state, Seconds now) {
@@ -9,7 +11,7 @@ void HelmSigns::HearState(std::string_view state, Seconds now) {
 }
 
 void HelmSigns::HearAllStop(std::string_view why, Seconds now) {
-  if (why == "clear") {
+  if (why == topics::kNoAllStop) {
     idle_since_.reset();
     has_steered_ = has_steered_ || drives_;
   } else if (why == "ManualOverride" || why.starts_with("Safety")) {

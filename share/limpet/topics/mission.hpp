@@ -176,6 +176,8 @@ inline const auto kManualOverrideMisspelt =
 inline const auto kHelmState =
     Declare<std::string>("IVPHELM_STATE", "DRIVE or PARK; MALCONFIG: it cannot begin",
                          {.rate = "10 Hz", .writers = {"pHelm"}});
+/// What IVPHELM_ALLSTOP says while nothing is stopped, a stock helm's word.
+inline constexpr const char* kNoAllStop = "clear";
 inline const auto kHelmAllStop = Declare<std::string>(
     "IVPHELM_ALLSTOP", "clear, or why all is stopped", {.rate = "on change", .writers = {"pHelm"}});
 inline const auto kBehaviorError = Declare<std::string>(
