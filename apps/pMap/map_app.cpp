@@ -25,10 +25,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       statuses_(params.status, camera_),
       map_(params.voxel, params.beams),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
-      ground_looks_({.camera = camera_,
-                     .detection = params.status.detection,
-                     .object_radius = params.status.object_radius.value()},
-                    params.status.looks),
+      ground_looks_(params.status.LookFrom(camera_), params.status.looks),
       obstacle_finder_(params.beams),
       planned_visibility_(params.status.detection.visibility),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
@@ -253,9 +250,9 @@ DetectionModel MapApp::PlannedDetection() const {
 }
 
 LookModel MapApp::PlannedLook() const {
-  return {.camera = camera_,
-          .detection = PlannedDetection(),
-          .object_radius = params_.status.object_radius.value()};
+  LookModel look = params_.status.LookFrom(camera_);
+  look.detection = PlannedDetection();
+  return look;
 }
 
 void MapApp::TellHowItLooks() {

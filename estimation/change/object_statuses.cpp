@@ -27,10 +27,7 @@ double HorizontalDistance(const ObjectEstimate& a, const ObjectEstimate& b) {
 
 ObjectStatuses::ObjectStatuses(const StatusParams& params, const CameraModel& camera)
     : params_(params),
-      model_{.camera = camera,
-             .detection = params.detection,
-             .object_radius = params.object_radius.value(),
-             .visibilities = VisibilityBelief::Grid()},
+      model_{.look = params.LookFrom(camera), .visibilities = VisibilityBelief::Grid()},
       water_(params.detection.visibility, params.visibility_spread),
       former_water_(former_views_.water) {}
 
@@ -91,7 +88,7 @@ double ObjectStatuses::FalseRate() const {
 }
 
 void ObjectStatuses::Rejudge() {
-  model_.detection.false_per_image = FalseRate();
+  model_.look.detection.false_per_image = FalseRate();
   landmark_watch_.clear();
   newcomer_watch_.clear();
   WatchLandmarks();
@@ -131,7 +128,7 @@ bool ObjectStatuses::IsExplained(const ObservedFrame& frame, const Box& box) con
   return std::ranges::any_of(objects_, [&](const Landmark& object) {
     const std::optional<Foresight> foresight =
         Foresee(WatchedPlace(object.object), frame.X_WB, model_);
-    return foresight && foresight->Explains(box, model_.camera);
+    return foresight && foresight->Explains(box, model_.look.camera);
   });
 }
 

@@ -42,6 +42,10 @@ struct StatusParams {
           "Landmarks closer than this and never seen together are one object",
           InRange(0.0_m, 10.0_m));
   }
+  /// What judges a look of `camera` at an object of the usual size.
+  [[nodiscard]] LookModel LookFrom(const CameraModel& camera) const {
+    return {.camera = camera, .detection = detection, .object_radius = object_radius.value()};
+  }
 };
 
 /// Where the former session looked from, in its frame and in order of time, with what it saw there
@@ -88,7 +92,7 @@ class ObjectStatuses {
   [[nodiscard]] const FrameOffset& offset() const { return match_.offset; }
   [[nodiscard]] const std::vector<ObservedFrame>& frames() const { return frames_; }
   /// Boxes per image that show nothing: what the mission says, weighed with what was seen.
-  [[nodiscard]] double false_per_image() const { return model_.detection.false_per_image; }
+  [[nodiscard]] double false_per_image() const { return model_.look.detection.false_per_image; }
   /// What images say of the water, beside the objects in them.
   [[nodiscard]] ContrastLog& contrasts() { return contrasts_; }
   [[nodiscard]] const ContrastLog& contrasts() const { return contrasts_; }

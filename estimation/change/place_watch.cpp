@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "estimation/change/log_space.hpp"
-#include "limpet/survey/look.hpp"
 
 namespace limpet {
 namespace {
@@ -28,9 +27,9 @@ constexpr double kSizeSigmas = 2.0;  ///< of the object's own size that these sh
 constexpr double kMostSlack = 2.5;   ///< a size that is known no better tells nothing
 
 LookModel LookModelOf(const WatchModel& model, const ObjectEstimate& place) {
-  return {.camera = model.camera,
-          .detection = model.detection,
-          .object_radius = place.RadiusOr(model.object_radius)};
+  LookModel look = model.look;
+  look.object_radius = place.RadiusOr(look.object_radius);
+  return look;
 }
 
 double SizeSlackOf(const ObjectEstimate& place) {
@@ -74,11 +73,12 @@ BoxesHere LookForBoxes(const ObservedFrame& frame, const ObjectEstimate& place,
 
 double FalseAlarm(const Foresight& foresight, const WatchModel& model) {
   const double gate_area = std::numbers::pi * foresight.gate * foresight.gate;
-  const double image_area = static_cast<double>(model.camera.width_px) * model.camera.height_px;
+  const double image_area =
+      static_cast<double>(model.look.camera.width_px) * model.look.camera.height_px;
   const double wider =
       1.0 + 2.0 * std::log(foresight.size_slack) / std::log(kLargestSize / kSmallestSize);
   const double same_size = std::min(kSameSize * wider, 1.0);
-  const double rate = kFalseBoxHasColor * same_size * model.detection.false_per_image;
+  const double rate = kFalseBoxHasColor * same_size * model.look.detection.false_per_image;
   return std::clamp(rate * std::min(gate_area / image_area, 1.0), kLeastFalseAlarm,
                     kLargestFalseAlarm);
 }
@@ -96,16 +96,16 @@ bool Foresight::Explains(const Box& box, const CameraModel& camera) const {
 
 std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
                                  const WatchModel& model) {
-  const Eigen::Vector3d p_C = model.camera.InCamera(X_WB, place.p_W);
-  const std::optional<Eigen::Vector2d> pixel = model.camera.Project(p_C);
+  const Eigen::Vector3d p_C = model.look.camera.InCamera(X_WB, place.p_W);
+  const std::optional<Eigen::Vector2d> pixel = model.look.camera.Project(p_C);
   // Far outside the image nothing needs to be computed; most frames end here.
-  if (!pixel || std::abs(pixel->x() - model.camera.cx) > 2.0 * model.camera.width_px ||
-      std::abs(pixel->y() - model.camera.cy) > 2.0 * model.camera.height_px) {
+  if (!pixel || std::abs(pixel->x() - model.look.camera.cx) > 2.0 * model.look.camera.width_px ||
+      std::abs(pixel->y() - model.look.camera.cy) > 2.0 * model.look.camera.height_px) {
     return std::nullopt;
   }
-  const double pixels_per_metre = model.camera.fx / p_C.z();
+  const double pixels_per_metre = model.look.camera.fx / p_C.z();
   const double position = std::sqrt(std::max(0.5 * (place.cov_W(0, 0) + place.cov_W(1, 1)), 0.0));
-  const double radius = place.RadiusOr(model.object_radius);
+  const double radius = place.RadiusOr(model.look.object_radius);
   const double size = 2.0 * kSizeShare * radius;
   const double sigma = std::hypot(kPixelSigma, std::hypot(position, size) * pixels_per_metre);
   return Foresight{.pixel = *pixel,
@@ -120,7 +120,7 @@ const Box* FindBox(const ObservedFrame& frame, const ObjectEstimate& place, cons
   if (!foresight) {
     return nullptr;
   }
-  const BoxesHere boxes = LookForBoxes(frame, place, *foresight, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(frame, place, *foresight, model.look.camera, owner_of);
   return boxes.own != nullptr ? boxes.own : boxes.possible;
 }
 
@@ -141,16 +141,16 @@ void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const 
   if (!foresight) {
     return;
   }
-  const BoxesHere boxes = LookForBoxes(frame, place_, *foresight, model.camera, owner_of);
+  const BoxesHere boxes = LookForBoxes(frame, place_, *foresight, model.look.camera, owner_of);
   const bool has_own = boxes.own != nullptr;
   const double false_alarm = FalseAlarm(*foresight, model);
   const LookModel look = LookModelOf(model, place_);
   const PerVisibility visibilities =
-      model.visibilities.value_or(model.detection.visibility.value());
+      model.visibilities.value_or(model.look.detection.visibility.value());
   for (Spot& spot : spots_) {
     const PerVisibility detects = ChancesToDetect(look, frame.X_WB, spot.p_W, visibilities);
     if (detects.maxCoeff() < model.least_detection && !has_own) continue;
-    if (!has_own && model.obstacles.Hide(EyeOf(model.camera, frame.X_WB), spot.p_W)) continue;
+    if (!has_own && model.obstacles.Hide(EyeOf(model.look.camera, frame.X_WB), spot.p_W)) continue;
     spot.log.Add({.time = frame.exposure.value(),
                   .p_OC = frame.X_WB.p_WB - spot.p_W,
                   .detects = has_own ? PerVisibility(detects.max(model.least_detection)) : detects,

@@ -7,8 +7,8 @@
 
 #include "estimation/change/look_log.hpp"
 #include "estimation/matching/session_matching.hpp"
-#include "limpet/objects/detection_model.hpp"
 #include "limpet/objects/frame.hpp"
+#include "limpet/survey/look.hpp"
 #include "limpet/survey/sight_obstacles.hpp"
 #include "limpet/survey/visibility_belief.hpp"
 
@@ -16,11 +16,9 @@ namespace limpet {
 
 /// What it takes to judge a place in a frame.
 struct WatchModel {
-  CameraModel camera;
-  DetectionModel detection;
-  double object_radius = 0.5;    ///< of an object whose size nobody has estimated [m]
+  LookModel look;                ///< its radius is of an object whose size nobody has estimated
   double least_detection = 0.2;  ///< frames with less chance of a box say nothing
-  /// Visibilities that the water may have [m]; nothing: it has the one of `detection`.
+  /// Visibilities that the water may have [m]; nothing: it has the one of `look`.
   std::optional<PerVisibility> visibilities = std::nullopt;
   SightObstacles obstacles{};  ///< that the camera does not see through
 };

@@ -166,7 +166,7 @@ OwnerOf ObjectStatuses::OwnerInFormerViews() const {
     const bool is_listed = std::ranges::any_of(*former_, [&](const FormerObject& former) {
       const std::optional<Foresight> foresight =
           Foresee(WatchedPlace(former.object), view.X_WB, former_views_.model);
-      return foresight && foresight->Explains(box, former_views_.model.camera);
+      return foresight && foresight->Explains(box, former_views_.model.look.camera);
     });
     return is_listed ? BoxOwner::kAnotherPlace : BoxOwner::kUnknown;
   };

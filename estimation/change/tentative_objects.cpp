@@ -24,7 +24,7 @@ bool IsOver(const TentativeObject& tentative) { return tentative.good_looks >= k
 
 void Look(TentativeObject& tentative, const ObservedFrame& frame, const WatchModel& model) {
   const double share =
-      VisibleShare(model.camera, frame.X_WB, tentative.place.p_W, model.object_radius);
+      VisibleShare(model.look.camera, frame.X_WB, tentative.place.p_W, model.look.object_radius);
   const Eigen::Vector3d& eye = frame.X_WB.p_WB;
   const bool is_new =
       !tentative.last_viewpoint_W || (*tentative.last_viewpoint_W - eye).norm() >= kNewViewpoint;
@@ -38,7 +38,7 @@ void Look(TentativeObject& tentative, const ObservedFrame& frame, const WatchMod
 
 std::optional<Eigen::Vector3d> PlaceOfBox(const Box& box, const ObservedFrame& frame,
                                           const WatchModel& model) {
-  const CameraModel& camera = model.camera;
+  const CameraModel& camera = model.look.camera;
   const BoxExtent u = ExtentAcross(box, camera), v = ExtentAlong(box, camera);
   if (u.is_cut() && v.is_cut()) {
     return std::nullopt;
@@ -46,12 +46,13 @@ std::optional<Eigen::Vector3d> PlaceOfBox(const Box& box, const ObservedFrame& f
   const double across = box.w / camera.fx;
   const double along = box.h / camera.fy;
   const double size = u.is_cut() ? along : (v.is_cut() ? across : 0.5 * (across + along));
-  const double depth = 2.0 * model.object_radius / std::max(size, 1e-3);
-  const double deepest = frame.altitude.value_or(model.detection.visibility.value()) + kBelowSeabed;
+  const double depth = 2.0 * model.look.object_radius / std::max(size, 1e-3);
+  const double deepest =
+      frame.altitude.value_or(model.look.detection.visibility.value()) + kBelowSeabed;
   if (depth < kNearestDepth || depth > deepest) {
     return std::nullopt;
   }
-  const double half = model.object_radius / depth;
+  const double half = model.look.object_radius / depth;
   const Eigen::Vector3d p_C(depth * (u.CentreOf(half * camera.fx) - camera.cx) / camera.fx,
                             depth * (v.CentreOf(half * camera.fy) - camera.cy) / camera.fy, depth);
   return frame.X_WB.p_WB + RotationOf(frame.X_WB) * (camera.R_BC * p_C + camera.p_BC);
@@ -103,7 +104,7 @@ void TentativeObjects::Support(const Box& box, const ObservedFrame& frame,
     const std::optional<Foresight> foresight = Foresee(tentative.place, frame.X_WB, model);
     const bool is_recent = frame.exposure.value() - tentative.last_box <= kOnePass;
     if (is_recent && tentative.place.color == box.color && foresight &&
-        foresight->Explains(box, model.camera)) {
+        foresight->Explains(box, model.look.camera)) {
       ++tentative.boxes;
       tentative.last_box = frame.exposure.value();
       return;

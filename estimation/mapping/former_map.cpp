@@ -34,9 +34,7 @@ VisibilityBelief FormerWater(const SessionPrior& prior, const StatusParams& para
 FormerViews FormerViewsOf(const SessionPrior& prior, const MapParams& own) {
   const MapParams params = FormerParams(prior, own);
   FormerViews views{.frames = {},
-                    .model = {.camera = params.camera.geometry(),
-                              .detection = params.status.detection,
-                              .object_radius = params.status.object_radius.value(),
+                    .model = {.look = params.status.LookFrom(params.camera.geometry()),
                               .obstacles = SightObstacles(prior.obstacles)},
                     .looks = params.status.looks,
                     .water = FormerWater(prior, params.status)};

@@ -21,9 +21,9 @@ struct GateScene {
   ObservedFrame frame;
   double distance = 0.0;  ///< [m]
   [[nodiscard]] Box BoxThere() const {
-    const double size = 2.0 * model.object_radius * model.camera.fx / distance;
-    return {.u = model.camera.cx,
-            .v = model.camera.cy,
+    const double size = 2.0 * model.look.object_radius * model.look.camera.fx / distance;
+    return {.u = model.look.camera.cx,
+            .v = model.look.camera.cy,
             .w = size,
             .h = size,
             .confidence = 0.9,
@@ -36,8 +36,8 @@ class PlaceWatchGate : public ::testing::TestWithParam<int> {
   [[nodiscard]] GateScene Draw(double sigma) {
     GateScene scene;
     scene.distance = random_.Uniform(2.0, 4.0);
-    scene.model.object_radius = random_.Uniform(0.2, 0.6);
-    scene.model.detection.false_per_image = random_.Uniform(0.02, 0.5);
+    scene.model.look.object_radius = random_.Uniform(0.2, 0.6);
+    scene.model.look.detection.false_per_image = random_.Uniform(0.02, 0.5);
     scene.place = {.p_W = {random_.Normal(9.0), random_.Normal(9.0), 6.0},
                    .cov_W = sigma * sigma * Eigen::Matrix3d::Identity(),
                    .color = "yellow"};
@@ -46,8 +46,9 @@ class PlaceWatchGate : public ::testing::TestWithParam<int> {
   }
   /// Three sigmas: six pixels, the place, and 15 % of the size.
   [[nodiscard]] static double GateOf(const GateScene& scene, double sigma) {
-    const double per_metre = scene.model.camera.fx / scene.distance;
-    return 3.0 * std::hypot(6.0, std::hypot(sigma, 0.3 * scene.model.object_radius) * per_metre);
+    const double per_metre = scene.model.look.camera.fx / scene.distance;
+    return 3.0 *
+           std::hypot(6.0, std::hypot(sigma, 0.3 * scene.model.look.object_radius) * per_metre);
   }
   Random random_{static_cast<std::uint64_t>(GetParam()), "gate"};
 };
@@ -59,7 +60,7 @@ TEST_P(PlaceWatchGate, IsThreeSigmasOfBoxPlaceAndSizeWide) {
     ASSERT_TRUE(foresight);
     EXPECT_NEAR(foresight->gate, GateOf(scene, sigma), 1e-9);
     EXPECT_NEAR(foresight->radius,
-                scene.model.object_radius * scene.model.camera.fx / scene.distance, 1e-9);
+                scene.model.look.object_radius * scene.model.look.camera.fx / scene.distance, 1e-9);
   }
 }
 
@@ -101,23 +102,23 @@ double LogFalseAlarm(const GateScene& scene) {
 
 TEST_P(PlaceWatchGate, AFalseBoxIsAsRareAsItsColourSizeAndPlaceTogether) {
   const GateScene scene = Draw(0.0);
-  const CameraModel& camera = scene.model.camera;
+  const CameraModel& camera = scene.model.look.camera;
   const double gate = GateOf(scene, 0.0);
   const double share = std::numbers::pi * gate * gate / (camera.width_px * camera.height_px);
   // One in four has the colour, two in five the size.
   EXPECT_NEAR(LogFalseAlarm(scene),
-              std::log(0.25 * 0.4 * scene.model.detection.false_per_image * share), 1e-9);
+              std::log(0.25 * 0.4 * scene.model.look.detection.false_per_image * share), 1e-9);
 }
 
 TEST_P(PlaceWatchGate, HoweverFewFalseBoxesThereAreOneIsNotProof) {
   GateScene scene = Draw(0.0);
-  scene.model.detection.false_per_image = 1e-7;
+  scene.model.look.detection.false_per_image = 1e-7;
   EXPECT_NEAR(LogFalseAlarm(scene), std::log(2e-5), 1e-9);
 }
 
 TEST_P(PlaceWatchGate, HoweverManyThereAreABoxSaysALittle) {
   GateScene scene = Draw(0.0);
-  scene.model.detection.false_per_image = 1e4;  // as a broken detector teaches
+  scene.model.look.detection.false_per_image = 1e4;  // as a broken detector teaches
   EXPECT_NEAR(LogFalseAlarm(scene), std::log(0.2), 1e-9);
 }
 

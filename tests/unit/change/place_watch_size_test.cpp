@@ -124,9 +124,10 @@ TEST_F(ObjectStatusesTest, TellsOfALandmarkWithManyDetectionsThatItTakesForNone)
 }
 
 TEST(ObjectSize, IsForeseenAsEstimatedElseAsTheMissionSays) {
-  const WatchModel model{.camera = {}, .detection = {}, .object_radius = 0.5};
+  const WatchModel model{};
   const Pose X_WB{{4.0, 0.0, 3.0}, 0, 0, 0};
-  const double per_metre = model.camera.fx / model.camera.InCamera(X_WB, At(4, 0).p_W).z();
+  const double per_metre =
+      model.look.camera.fx / model.look.camera.InCamera(X_WB, At(4, 0).p_W).z();
   EXPECT_NEAR(Foresee(At(4, 0), X_WB, model)->radius, 0.5 * per_metre, 1e-9);
   EXPECT_NEAR(Foresee(Sized(At(4, 0), 0.2), X_WB, model)->radius, 0.2 * per_metre, 1e-9);
   EXPECT_NEAR(Foresee(Sized(At(4, 0), 0.0), X_WB, model)->radius, 0.5 * per_metre, 1e-9)
@@ -134,7 +135,7 @@ TEST(ObjectSize, IsForeseenAsEstimatedElseAsTheMissionSays) {
 }
 
 TEST(ObjectSize, WhatIsUnknownOfItWidensWhatPassesForIt) {
-  const WatchModel model{.camera = {}, .detection = {}, .object_radius = 0.5};
+  const WatchModel model{};
   ObservedFrame frame{.exposure = Seconds(0.0), .X_WB = {{4.0, 0.0, 3.0}, 0, 0, 0}};
   const auto is_found = [&](double share, double sd) {
     const ObjectEstimate place = Sized(At(4, 0), 0.3, sd);

@@ -16,7 +16,7 @@
 namespace limpet {
 namespace {
 
-const WatchModel kWatchModel{.camera = {}, .detection = {}, .object_radius = 0.5};
+const WatchModel kWatchModel{};
 
 ObjectEstimate PlaceAt(const Eigen::Vector3d& p_W, double sigma = 0.15) {
   return {.p_W = p_W, .cov_W = sigma * sigma * Eigen::Matrix3d::Identity(), .color = "yellow"};
@@ -48,7 +48,7 @@ BoxOwner Other(const ObservedFrame&, const Box&) { return BoxOwner::kAnotherPlac
 
 TEST(Foresee, PutsThePlaceWhereTheCameraHasIt) {
   Random random(71);
-  const CameraModel& camera = kWatchModel.camera;
+  const CameraModel& camera = kWatchModel.look.camera;
   int seen = 0;
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d p_W(random.Normal(3.0), random.Normal(3.0), random.Uniform(4.0, 9.0));
@@ -82,7 +82,7 @@ TEST(Foresee, LooksTwoImagesAroundAndNotBehindTheCamera) {
     const Eigen::Vector3d p_W(0, 0, 6);
     return Foresee(PlaceAt(p_W), FrameOver(p_W, ahead, starboard).X_WB, kWatchModel).has_value();
   };
-  const CameraModel& camera = kWatchModel.camera;
+  const CameraModel& camera = kWatchModel.look.camera;
   const double across = 3.0 * 2.0 * camera.width_px / camera.fx;
   const double along = 3.0 * 2.0 * camera.height_px / camera.fy;
   for (const double side : {-1.0, 1.0}) {
@@ -105,23 +105,23 @@ TEST(Explains, ABoxAsFarAsTheGateInAnyDirection) {
     const auto box = [&](double off) {
       return BoxNear(place, frame, off * std::cos(angle), off * std::sin(angle));
     };
-    EXPECT_TRUE(foresight.Explains(box(foresight.gate - 0.01), kWatchModel.camera)) << angle;
-    EXPECT_FALSE(foresight.Explains(box(foresight.gate + 0.01), kWatchModel.camera)) << angle;
+    EXPECT_TRUE(foresight.Explains(box(foresight.gate - 0.01), kWatchModel.look.camera)) << angle;
+    EXPECT_FALSE(foresight.Explains(box(foresight.gate + 0.01), kWatchModel.look.camera)) << angle;
   }
 }
 
 TEST(Explains, ABoxThatTheBorderCutsMayLieARadiusFurtherInside) {
   const Eigen::Vector3d p_W(0, 0, 6);
   // The object's centre is 60 px outside the image; what shows of it lies inside.
-  const double starboard = 3.0 * (0.5 * 640.0 + 60.0) / kWatchModel.camera.fx;
+  const double starboard = 3.0 * (0.5 * 640.0 + 60.0) / kWatchModel.look.camera.fx;
   const ObservedFrame frame = FrameOver(p_W, 0.0, starboard);
   const Foresight foresight = *Foresee(PlaceAt(p_W), frame.X_WB, kWatchModel);
   ASSERT_GT(foresight.pixel.x(), 640.0);
   const Box shown{.u = 630.0, .v = 240.0, .w = 20.0, .h = 100.0, .confidence = 0.9, .color = ""};
-  EXPECT_TRUE(foresight.Explains(shown, kWatchModel.camera));
+  EXPECT_TRUE(foresight.Explains(shown, kWatchModel.look.camera));
   Box inside = shown;
   inside.u = 640.0 - foresight.gate - 1.0;
-  EXPECT_FALSE(foresight.Explains(inside, kWatchModel.camera));
+  EXPECT_FALSE(foresight.Explains(inside, kWatchModel.look.camera));
 }
 
 TEST(FindBox, PrefersABoxOfThePlaceToOneThatMayBe) {
@@ -243,7 +243,7 @@ TEST(PlaceWatchProperties, ABoxProvesLessWhereTheDetectorSeesMoreGhosts) {
   double before = 1e9;
   for (const double ghosts : {0.01, 0.03, 0.1, 0.4}) {
     WatchModel model = kWatchModel;
-    model.detection.false_per_image = ghosts;
+    model.look.detection.false_per_image = ghosts;
     const double lambda = trial::Lambda(Pass(
         PlaceAt({0, 0, 6}, 0.5), 0.0, [](int) { return true; }, model));
     EXPECT_LE(lambda, before) << ghosts;

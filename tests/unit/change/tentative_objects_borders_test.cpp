@@ -35,13 +35,13 @@ Box BoxOfOrigin(double north, double depth) {
 }
 
 TEST(PlaceOfBoxBorders, ReachSevenTenthsOfAMetreBelowTheSeabed) {
-  const WatchModel model{.camera = {}, .detection = {}, .object_radius = 0.5};
+  const WatchModel model{};
   EXPECT_TRUE(PlaceOfBox(BoxAtDepth(kBelow + 0.69), LookFrom(0.0, 0.0), model));
   EXPECT_FALSE(PlaceOfBox(BoxAtDepth(kBelow + 0.71), LookFrom(0.0, 0.0), model));
 }
 
 TEST(PlaceOfBoxBorders, ReachHalfAMetreBeforeTheCamera) {
-  WatchModel model{.camera = {}, .detection = {}, .object_radius = 0.1};
+  WatchModel model{.look = {.camera = {}, .detection = {}, .object_radius = 0.1}};
   const auto box_at = [](double depth) {
     Box box = BoxAtDepth(depth);
     box.w *= 0.2, box.h *= 0.2;  // of a sphere of 0.1 m
@@ -52,8 +52,8 @@ TEST(PlaceOfBoxBorders, ReachHalfAMetreBeforeTheCamera) {
 }
 
 TEST(PlaceOfBoxBorders, WithoutAnAltitudeReachAsFarAsOneSees) {
-  WatchModel model{.camera = {}, .detection = {}, .object_radius = 0.5};
-  model.detection.visibility = Meters(3.0);
+  WatchModel model{};
+  model.look.detection.visibility = Meters(3.0);
   ObservedFrame frame = LookFrom(0.0, 0.0);
   frame.altitude.reset();
   EXPECT_TRUE(PlaceOfBox(BoxAtDepth(3.69), frame, model));

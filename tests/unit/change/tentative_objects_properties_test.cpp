@@ -12,7 +12,7 @@
 namespace limpet {
 namespace {
 
-const WatchModel kTentativeModel{.camera = {}, .detection = {}, .object_radius = 0.5};
+const WatchModel kTentativeModel{};
 
 ObservedFrame FrameAt(double time, const Eigen::Vector3d& p_WB) {
   return {.exposure = Seconds(time), .X_WB = {p_WB, 0, 0, 0}, .altitude = 4.0};
@@ -20,7 +20,7 @@ ObservedFrame FrameAt(double time, const Eigen::Vector3d& p_WB) {
 
 /// What a detector that sees the whole object has of it.
 Box WholeBox(const ObservedFrame& frame, const Eigen::Vector3d& p_W) {
-  const CameraModel& camera = kTentativeModel.camera;
+  const CameraModel& camera = kTentativeModel.look.camera;
   const Eigen::Vector3d p_C = camera.InCamera(frame.X_WB, p_W);
   const Eigen::Vector2d pixel = *camera.Project(p_C);
   return {.u = pixel.x(),
@@ -55,7 +55,7 @@ TEST(PlaceOfBoxProperties, IsThePlaceOfTheObjectFromAnyPose) {
                     random.Normal(0.05),
                     random.Normal(0.05),
                     random.Uniform(-3.0, 3.0)};
-    const CameraModel& camera = kTentativeModel.camera;
+    const CameraModel& camera = kTentativeModel.look.camera;
     const double depth = random.Uniform(1.8, 3.5);
     const Eigen::Vector3d p_C(depth * random.Uniform(-0.5, 0.5), depth * random.Uniform(-0.3, 0.3),
                               depth);

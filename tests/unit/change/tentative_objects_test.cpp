@@ -8,14 +8,14 @@
 namespace limpet {
 namespace {
 
-const WatchModel kModel{.camera = {}, .detection = {}, .object_radius = 0.5};
+const WatchModel kModel{};
 const ObservedFrame kSight{
     .exposure = Seconds(0.0), .X_WB = {{10.0, 20.0, 3.5}, 0, 0, 0}, .altitude = 4.0};
 
 /// The box of a sphere of 0.5 m at body offset (forward, starboard) and 2.5 m below, cut at the
 /// image's border.
 Box BoxAt(double forward, double starboard) {
-  const CameraModel& camera = kModel.camera;
+  const CameraModel& camera = kModel.look.camera;
   const double depth = 2.5;
   const auto clip = [](double x, int extent) {
     return std::clamp(x, 0.0, static_cast<double>(extent));

@@ -39,8 +39,8 @@ TEST(FormerViews, AreJudgedByTheMissionsOwnParametersWhereThePriorHasNone) {
   own.status.object_radius = Meters(0.35);
   own.status.detection.best = 0.77;
   const FormerViews views = FormerViewsOf(SessionPrior{}, own);
-  EXPECT_EQ(views.model.object_radius, 0.35);
-  EXPECT_EQ(views.model.detection.best, 0.77);
+  EXPECT_EQ(views.model.look.object_radius, 0.35);
+  EXPECT_EQ(views.model.look.detection.best, 0.77);
 }
 
 TEST(FormerViews, AreJudgedByTheParametersOfTheirOwnMission) {
@@ -50,11 +50,11 @@ TEST(FormerViews, AreJudgedByTheParametersOfTheirOwnMission) {
                                     {"new_look_distance_m", "0.7"},
                                     {"AppTick", "4"}});
   const FormerViews views = FormerViewsOf(prior, MapParams{});
-  EXPECT_EQ(views.model.object_radius, 0.8);
+  EXPECT_EQ(views.model.look.object_radius, 0.8);
   EXPECT_NEAR(views.water.estimate().visibility.value(), 3.0, 0.1);
   EXPECT_EQ(views.looks.new_look_distance.value(), 0.7);
-  EXPECT_EQ(views.model.camera.width_px, 800);
-  EXPECT_NEAR(views.model.camera.fov_across(), RadiansFromDegrees(70.0), 1e-9);
+  EXPECT_EQ(views.model.look.camera.width_px, 800);
+  EXPECT_NEAR(views.model.look.camera.fov_across(), RadiansFromDegrees(70.0), 1e-9);
 }
 
 TEST(FormerViews, BelieveTheWaterThatTheFormerSessionFoundNotTheOneItExpected) {
