@@ -48,7 +48,7 @@ class LensModel {
   /// Pixel of the image to pixel of a pinhole camera of this lens; REQUIRES: it is in the image.
   [[nodiscard]] Eigen::Vector2d ToPinhole(const CameraModel& pinhole,
                                           const Eigen::Vector2d& pixel) const;
-  /// And back; it may lie outside the image.
+  /// Pixel of a pinhole camera of this lens to pixel of the image; it may lie outside the image.
   [[nodiscard]] Eigen::Vector2d FromPinhole(const CameraModel& pinhole,
                                             const Eigen::Vector2d& pixel) const;
 

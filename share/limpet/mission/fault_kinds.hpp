@@ -22,7 +22,7 @@ struct FaultKind {
   /// What `size` says and its unit; empty: the fault has none.
   std::string_view size_meaning{};
   double size = 0.0, least = 0.0, most = 0.0;  ///< default and bounds of it
-  bool is_about_app = false;                   ///< and says which one
+  bool is_about_app = false;                   ///< of one app, which it names
 };
 
 [[nodiscard]] std::span<const FaultKind> FaultKinds();

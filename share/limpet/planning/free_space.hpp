@@ -36,7 +36,7 @@ class FreeSpace {
 
   /// The least of the fences' clearances [m]: no nearer is any border.
   [[nodiscard]] double Clearance(const PlanePoint& at) const;
-  /// The same where it is below `enough`, which answers for all above.
+  /// The least of the fences' clearances where it is below `enough`, which answers for all above.
   [[nodiscard]] double ClearanceUpTo(const PlanePoint& at, double enough) const;
   [[nodiscard]] bool Contains(const PlanePoint& at) const {
     return ClearanceUpTo(at, 0.0) >= -kTouch;

@@ -30,10 +30,13 @@ struct GroundWorth {
 };
 /// The exchange rates between new ground and path.
 struct GroundRates {
-  double cover = 1.0;       ///< metres of path per metre of fully useful track
-  double frontier = 0.325;  ///< ... per metre of new border; best in the study with kBottomTwice
-  double early = 0.0;       ///< ... per metre of path before new ground is seen, mean over the area
-  double most = 0.0;        ///< ... per metre of path before most of bottom and band has been seen
+  double cover = 1.0;  ///< metres of path per metre of fully useful track
+  /// Metres of path per metre of new border: best in a study of searches alone.
+  double frontier = 0.325;
+  /// Metres of path per metre of path before new ground is seen, mean over the area.
+  double early = 0.0;
+  /// Metres of path per metre of path before most of bottom and band has been seen.
+  double most = 0.0;
   /// `swath` is the ground's [m].
   [[nodiscard]] GroundWorth Of(const NewlySeen& seen, double swath) const {
     return {.useful = cover * seen.new_area / swath, .ragged = frontier * seen.frontier_growth};

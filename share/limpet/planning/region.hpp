@@ -45,7 +45,7 @@ class Region {
   [[nodiscard]] bool Allows(const Pose2& from, const PathSegment& segment, Meters radius) const;
   /// How far a place is from the nearest border of region or zone [m]; negative outside.
   [[nodiscard]] double Clearance(const PlanePoint& at) const;
-  /// The same of zones and obstacles alone; infinite without any.
+  /// How far a place is from the nearest zone or obstacle [m]; infinite without any.
   [[nodiscard]] double ZoneClearance(const PlanePoint& at) const;
   /// How far `pose` is outside [m], 0 inside.
   [[nodiscard]] double Outside(const Pose2& pose) const;

@@ -24,9 +24,9 @@ struct ObjectShapeParams {
                  {"sphere", "cylinder", "cone", "box", "tyre"});
     visit("height_m", height, "From foot to top; of a tyre its width; spheres have none",
           InRange(0.05_m, 10.0_m));
-    visit("heading_deg", heading, "It is turned so far, clockwise from north",
+    visit("heading_deg", heading, "The way that it faces and leans, clockwise from north",
           InRange(-360.0_deg, 360.0_deg));
-    visit("tilt_deg", tilt, "And leans so far to that side; 90: it lies",
+    visit("tilt_deg", tilt, "How far it leans to the side that it faces; 90: it lies",
           InRange(0.0_deg, 180.0_deg));
     visit.Choice("band", band, "Colour of the middle third of its height",
                  {"none", "yellow", "orange", "green", "red", "blue", "white", "black", "purple"});

@@ -45,9 +45,10 @@ class SightObstacles {
   explicit SightObstacles(const std::vector<Obstacle>& obstacles);
 
   [[nodiscard]] bool empty() const { return bodies_.empty(); }
-  /// Of obstacles that are within `reach` of the camera [m]; one that holds the camera has none.
+  /// What obstacles hide that are within `reach` of the camera [m]; one that holds the camera has
+  /// none.
   [[nodiscard]] Shadows From(const Eigen::Vector3d& eye_W, double reach) const;
-  /// ... of one place.
+  /// Whether an obstacle hides this place.
   [[nodiscard]] bool Hide(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& place_W) const;
 
  private:

@@ -105,7 +105,7 @@ class TileGrid {
       }
     }
   }
-  /// ... of each cell of all tiles, tile by tile.
+  /// Calls `visit` with row, column and cell of each cell of all tiles, tile by tile.
   template <class Visit>
   void EachCell(Visit visit) const {
     EachTile([&](const Tile& tile) { EachCell(tile, visit); });

@@ -55,7 +55,7 @@ struct Coverage {
   double seabed = 0.0;    ///< bottom inside the image
   double band = 0.0;      ///< mean over the heights of the band
   double band_top = 0.0;  ///< at the greatest height
-  /// The same, of what counts as done where paths are planned: images as they are believed to lie,
+  /// Shares of what counts as done where paths are planned: images as they are believed to lie,
   /// drawn in by what two passes may have come apart. Absent: the writer keeps no such count.
   std::optional<double> done_seabed = std::nullopt, done_band = std::nullopt,
                         done_band_top = std::nullopt;

@@ -19,7 +19,7 @@ enum class SafetyAction {
   kHold,     ///< stay at this depth without way on, and wait
   kReturn,   ///< end the survey and go home
   kSurface,  ///< no thrust but upwards; the mission ends at the surface
-  kAbort     ///< the same, whatever comes, until an operator lifts it
+  kAbort     ///< as kSurface, whatever comes, until an operator lifts it
 };
 
 /// `none`, `warn`, `degrade`, `hold`, `return`, `surface`, `abort`.
@@ -59,7 +59,7 @@ struct BatteryState {
 struct LogState {
   bool is_written = true;
   int missing = 0;   ///< messages that it lacks
-  int in_doubt = 0;  ///< and such as the disk may have lost
+  int in_doubt = 0;  ///< messages that the disk may have lost
   template <class V>
   void Describe(V& visit) {
     visit("is_written", is_written), visit("missing", missing), visit("in_doubt", in_doubt);

@@ -98,7 +98,8 @@ struct DvlSheet {
     visit("rate_hz", rate, "Pings per second", SensorRates());
     visit("noise_mps", noise_mps, "Noise of one ping's velocity, horizontal [m/s]",
           InRange(1e-4, 1.0));
-    visit("vertical_noise_mps", vertical_noise_mps, "The same, vertical [m/s]", InRange(1e-4, 1.0));
+    visit("vertical_noise_mps", vertical_noise_mps, "Noise of one ping's velocity, vertical [m/s]",
+          InRange(1e-4, 1.0));
     visit("scale_sigma", scale_sigma, "1-sigma of the velocity's scale, constant over a session",
           InRange(0.0, 0.2));
     visit("misalignment_sigma_deg", misalignment_sigma,

@@ -32,11 +32,14 @@ struct ContactParams {
   template <class V>
   void Describe(V& visit) {
     visit("skid_fore_starboard_m", skids_B[0], "m",
-          "Where a skid touches the seabed, from the body origin", InRange(-5.0, 5.0));
-    visit("skid_fore_port_m", skids_B[1], "m", "The same, fore and port", InRange(-5.0, 5.0));
-    visit("skid_aft_starboard_m", skids_B[2], "m", "The same, aft and starboard",
+          "Where the skid fore and to starboard touches the seabed, from the body origin",
           InRange(-5.0, 5.0));
-    visit("skid_aft_port_m", skids_B[3], "m", "The same, aft and port", InRange(-5.0, 5.0));
+    visit("skid_fore_port_m", skids_B[1], "m", "Where the skid fore and to port touches it",
+          InRange(-5.0, 5.0));
+    visit("skid_aft_starboard_m", skids_B[2], "m", "Where the skid aft and to starboard touches it",
+          InRange(-5.0, 5.0));
+    visit("skid_aft_port_m", skids_B[3], "m", "Where the skid aft and to port touches it",
+          InRange(-5.0, 5.0));
     visit("skid_stiffness_n_per_m", stiffness_n_per_m, "Of each skid on the seabed [N/m]",
           InRange(10.0, 1e6));
     visit("skid_friction", friction, "Coefficient of friction on the seabed", InRange(0.0, 2.0));
