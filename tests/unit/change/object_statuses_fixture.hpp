@@ -52,7 +52,7 @@ class ObjectStatusesTest : public ::testing::Test {
   /// The former session flew north over the field and saw what its list has.
   void FormerLookedEverywhere(const VisibilityEstimate& water = {Meters(10.0), Meters(4.0)}) {
     FormerViews views{.frames = {},
-                      .model = {.camera = kCamera, .detection = {}},
+                      .model = {.look = {.camera = kCamera, .detection = {}}},
                       .looks = {},
                       .water = VisibilityBelief::Of(water)};
     for (double north = -4.0; north <= 12.0; north += 0.5) {
