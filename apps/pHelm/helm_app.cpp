@@ -350,7 +350,7 @@ void HelmApp::SettleBehaviors(const VehicleState& state) {
 std::vector<std::string_view> HelmApp::ActiveBehaviors() const {
   std::vector<std::string_view> active(motion_.active.begin(), motion_.active.end());
   if (bids_ && !planner_.path().segments().empty() && !bids_->value.options.empty()) {
-    for (const OptionBid& bid : bids_->value.options.front().bids) {
+    for (const WeightedBid& bid : bids_->value.options.front().bids) {
       active.emplace_back(bid.behavior);
     }
   }

@@ -7,6 +7,7 @@
 
 #include "apps/pHelm/helm_app.hpp"
 #include "limpet/core/decimal_text.hpp"
+#include "limpet/decision/merit.hpp"
 
 namespace limpet {
 namespace {
@@ -20,8 +21,7 @@ void AddOptions(const HelmBids& bids, ReportLines& report) {
   ReportTable options({"option", ">length", ">worth", ">per metre", ">north", ">east"});
   for (const BiddenOption& option :
        std::span(bids.options).first(std::min(bids.options.size(), kShown))) {
-    const bool is_vetoed =
-        std::ranges::any_of(option.bids, [](const OptionBid& bid) { return bid.has_veto; });
+    const bool is_vetoed = VetoOn(option) != nullptr;
     options.AddRow({option.source, fmt::format("{:.1f}", option.length),
                     is_vetoed ? "vetoed" : fmt::format("{:.2f}", option.total),
                     fmt::format("{:.3f}", option.rate), fmt::format("{:.1f}", option.end[0]),
@@ -33,9 +33,9 @@ void AddOptions(const HelmBids& bids, ReportLines& report) {
   }
   report.Blank();
   ReportTable reasons({"bids on the first", ">pwt", ">value", "why"});
-  for (const OptionBid& bid : bids.options.front().bids) {
-    reasons.AddRow(
-        {bid.behavior, DecimalText(bid.weight, 2), fmt::format("{:.2f}", bid.value), bid.why});
+  for (const WeightedBid& weighted : bids.options.front().bids) {
+    reasons.AddRow({weighted.behavior, DecimalText(weighted.weight, 2),
+                    fmt::format("{:.2f}", weighted.bid.value), WhyText(weighted.bid)});
   }
   report.Add(reasons);
 }

@@ -112,8 +112,8 @@ TEST_F(FruitlessLooksTest, AreSaidInTheBids) {
   const HelmBids bids = link_.Last(topics::kHelmBids).value_or(HelmBids{});
   std::string whys;
   for (const BiddenOption& option : bids.options) {
-    for (const OptionBid& bid : option.bids) {
-      whys += bid.why + "\n";
+    for (const WeightedBid& weighted : option.bids) {
+      whys += WhyText(weighted.bid) + "\n";
     }
   }
   EXPECT_THAT(whys, testing::HasSubstr("fruitless_looks=1.00"));

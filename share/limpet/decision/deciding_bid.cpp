@@ -11,7 +11,7 @@ namespace {
 
 /// What a behavior adds to that by which the helm ranks an option.
 double ContributionTo(const BiddenOption& option, const std::string& behavior, OptionOrder order) {
-  const OptionBid* bid = BidOf(option, behavior);
+  const WeightedBid* bid = BidOf(option, behavior);
   return bid == nullptr ? 0.0 : ShareOf(*bid, option, order);
 }
 
@@ -35,8 +35,9 @@ double WeightOf(const HelmBids& bids, const std::string& behavior) {
                            : std::max(given, given - ContributionTo(other, behavior, bids.order));
 }
 
-BidPurpose PurposeOf(const OptionBid& bid) {
-  const std::string reason = bid.why.substr(0, bid.why.find('='));
+BidPurpose PurposeOf(const Bid& bid) {
+  if (bid.why.empty()) return BidPurpose::kOther;
+  const std::string& reason = bid.why.front().name;
   if (reason == "useful") return BidPurpose::kCover;
   if (reason == "looks_worth") return BidPurpose::kLook;
   if (reason == "to_go" || reason == "overrun") return BidPurpose::kHome;
@@ -55,11 +56,11 @@ std::optional<DecidingBid> DecidingBidOf(const HelmBids& bids) {
   if (!ChoiceOf(bids)) return std::nullopt;
   std::optional<DecidingBid> deciding;
   double most = 0.0;
-  for (const OptionBid& bid : bids.options.front().bids) {
+  for (const WeightedBid& bid : bids.options.front().bids) {
     if (!BidsAnything(bids, bid.behavior)) continue;  // e.g. one that only forbids
     const double weight = WeightOf(bids, bid.behavior);
     if (deciding && weight <= most) continue;
-    deciding = DecidingBid{bid.behavior, PurposeOf(bid)};
+    deciding = DecidingBid{bid.behavior, PurposeOf(bid.bid)};
     most = weight;
   }
   return deciding;

@@ -17,9 +17,9 @@ struct MeritLine {
 
 MeritLine LineOf(const BiddenOption& option, std::string_view behavior, OptionOrder order) {
   MeritLine line;
-  for (const OptionBid& bid : option.bids) {
+  for (const WeightedBid& bid : option.bids) {
     if (bid.behavior == behavior) {
-      OptionBid of_weight_1 = bid;
+      WeightedBid of_weight_1 = bid;
       of_weight_1.weight = 1.0;
       line.slope += ShareOf(of_weight_1, option, order);
     } else {
@@ -52,7 +52,7 @@ Comparison Compare(const MeritLine& chosen, const MeritLine& other, double weigh
 
 std::optional<double> WeightOf(const HelmBids& bids, std::string_view behavior) {
   for (const BiddenOption& option : bids.options) {
-    if (const OptionBid* bid = BidOf(option, behavior)) {
+    if (const WeightedBid* bid = BidOf(option, behavior)) {
       return bid->weight;
     }
   }
@@ -118,7 +118,7 @@ std::optional<Flip> FlipBehind(const Crossing& crossing, const Flip& in_force, c
 HelmBids Reweighted(const HelmBids& bids, std::string_view behavior, double weight) {
   HelmBids changed = bids;
   for (BiddenOption& option : changed.options) {
-    for (OptionBid& bid : option.bids) {
+    for (WeightedBid& bid : option.bids) {
       bid.weight = bid.behavior == behavior ? weight : bid.weight;
     }
     option.total = TotalOf(option.bids);
@@ -145,7 +145,7 @@ std::optional<Flip> FlipOf(const HelmBids& bids, std::string_view behavior) {
 std::vector<std::string> BiddersOf(const HelmBids& bids) {
   std::vector<std::string> names;
   for (const BiddenOption& option : bids.options) {
-    for (const OptionBid& bid : option.bids) {
+    for (const WeightedBid& bid : option.bids) {
       if (std::ranges::find(names, bid.behavior) == names.end()) {
         names.push_back(bid.behavior);
       }

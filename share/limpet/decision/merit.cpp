@@ -9,17 +9,17 @@ namespace {
 constexpr double kShortestUnit = 1.0;  // [m]: an option of no length must not divide by zero
 
 template <class Predicate>
-const OptionBid* FindBid(const BiddenOption& option, Predicate is_it) {
+const WeightedBid* FindBid(const BiddenOption& option, Predicate is_it) {
   const auto found = std::ranges::find_if(option.bids, is_it);
   return found == option.bids.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-double TotalOf(std::span<const OptionBid> bids) {
+double TotalOf(std::span<const WeightedBid> bids) {
   double total = 0.0;
-  for (const OptionBid& bid : bids) {
-    total += bid.weight * bid.value;
+  for (const WeightedBid& bid : bids) {
+    total += bid.Worth();
   }
   return total;
 }
@@ -34,17 +34,17 @@ double MeritOf(const BiddenOption& option, OptionOrder order) {
   return order == OptionOrder::kPerMetre ? option.rate : option.total;
 }
 
-double ShareOf(const OptionBid& bid, const BiddenOption& option, OptionOrder order) {
-  const double part = bid.weight * bid.value;
+double ShareOf(const WeightedBid& bid, const BiddenOption& option, OptionOrder order) {
+  const double part = bid.Worth();
   return order == OptionOrder::kPerMetre ? RateOf(part, option) : part;
 }
 
-const OptionBid* VetoOn(const BiddenOption& option) {
-  return FindBid(option, [](const OptionBid& bid) { return bid.has_veto; });
+const WeightedBid* VetoOn(const BiddenOption& option) {
+  return FindBid(option, [](const WeightedBid& bid) { return bid.bid.veto.has_value(); });
 }
 
-const OptionBid* BidOf(const BiddenOption& option, std::string_view behavior) {
-  return FindBid(option, [behavior](const OptionBid& bid) { return bid.behavior == behavior; });
+const WeightedBid* BidOf(const BiddenOption& option, std::string_view behavior) {
+  return FindBid(option, [behavior](const WeightedBid& bid) { return bid.behavior == behavior; });
 }
 
 bool IsBetter(const BiddenOption& a, const BiddenOption& b, OptionOrder order) {

@@ -13,7 +13,7 @@
 namespace limpet {
 
 /// Sum of values times weights, in the order of the bids [m of path, or nats].
-[[nodiscard]] double TotalOf(std::span<const OptionBid> bids);
+[[nodiscard]] double TotalOf(std::span<const WeightedBid> bids);
 /// What a total is divided by to rank an option per metre [m]: its length, or the one that it
 /// shares with others; at least a metre.
 [[nodiscard]] double RateLengthOf(const BiddenOption& option);
@@ -23,12 +23,12 @@ namespace limpet {
 /// What options are ranked by.
 [[nodiscard]] double MeritOf(const BiddenOption& option, OptionOrder order);
 /// A bid's part of its option's merit.
-[[nodiscard]] double ShareOf(const OptionBid& bid, const BiddenOption& option, OptionOrder order);
+[[nodiscard]] double ShareOf(const WeightedBid& bid, const BiddenOption& option, OptionOrder order);
 
 /// The first veto; null if nobody forbids the option.
-[[nodiscard]] const OptionBid* VetoOn(const BiddenOption& option);
+[[nodiscard]] const WeightedBid* VetoOn(const BiddenOption& option);
 /// What `behavior` bid; null if it had no opinion.
-[[nodiscard]] const OptionBid* BidOf(const BiddenOption& option, std::string_view behavior);
+[[nodiscard]] const WeightedBid* BidOf(const BiddenOption& option, std::string_view behavior);
 /// True if `a` ranks before `b`: vetoed ones last, then by merit.
 [[nodiscard]] bool IsBetter(const BiddenOption& a, const BiddenOption& b, OptionOrder order);
 /// The best option that nobody forbids, among equals the first; nothing if there is none.

@@ -6,52 +6,33 @@
 
 #include <fmt/format.h>
 
-#include "limpet/core/config.hpp"
-#include "limpet/core/number_text.hpp"
 #include "limpet/decision/merit.hpp"
 
 namespace limpet {
 namespace {
 
-/// `useful=12.30 length=4.00`, as the helm writes reasons. What is no such pair is left out.
-std::vector<NamedPart> PartsOf(const std::string& why) {
-  std::vector<NamedPart> parts;
-  for (const std::string& word : Split(why, ' ')) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos) {
-      continue;
-    }
-    if (const auto value = ParseNumber(std::string_view(word).substr(equals + 1))) {
-      parts.push_back({.name = word.substr(0, equals), .value = *value});
-    }
-  }
-  return parts;
-}
-
-ExplainedBid Explained(const OptionBid& bid) {
-  return {.behavior = bid.behavior,
-          .value = bid.value,
-          .weight = bid.weight,
-          .veto = bid.has_veto ? std::optional(bid.why) : std::nullopt,
-          .why = bid.has_veto ? std::vector<NamedPart>() : PartsOf(bid.why)};
-}
-
 const char* UnitOf(OptionOrder order) {
   return order == OptionOrder::kPerMetre ? " per metre" : " in total";
 }
 
-/// What each behavior gives the winner and not this option, the most first.
-std::vector<NamedPart> DeficitsOf(const BiddenOption& option, const BiddenOption& winner,
-                                  const std::vector<std::string>& bidders, OptionOrder order) {
+/// What a behavior gives the winner and not another option.
+struct Deficit {
+  std::string behavior;
+  double value = 0.0;
+};
+
+/// Of each behavior, the most first.
+std::vector<Deficit> DeficitsOf(const BiddenOption& option, const BiddenOption& winner,
+                                const std::vector<std::string>& bidders, OptionOrder order) {
   const auto share = [order](const BiddenOption& of, const std::string& behavior) {
-    const OptionBid* bid = BidOf(of, behavior);
+    const WeightedBid* bid = BidOf(of, behavior);
     return bid == nullptr ? 0.0 : ShareOf(*bid, of, order);
   };
-  std::vector<NamedPart> deficits;
+  std::vector<Deficit> deficits;
   for (const std::string& behavior : bidders) {
     deficits.push_back({behavior, share(winner, behavior) - share(option, behavior)});
   }
-  std::ranges::stable_sort(deficits, std::ranges::greater{}, &NamedPart::value);
+  std::ranges::stable_sort(deficits, std::ranges::greater{}, &Deficit::value);
   return deficits;
 }
 
@@ -62,28 +43,23 @@ std::string WhyLost(const BiddenOption& option, const HelmBids& bids, std::size_
   if (behind <= 0.0) {
     return "worth the same, and offered later";
   }
-  const NamedPart most = DeficitsOf(option, winner, bidders, bids.order).front();
+  const Deficit most = DeficitsOf(option, winner, bidders, bids.order).front();
   const bool is_all_of_it = std::abs(most.value - behind) < 0.005 * behind;
   return fmt::format("{:.3g} less{}, {} {}", behind, UnitOf(bids.order),
-                     is_all_of_it ? "by" : "most by", most.name);
+                     is_all_of_it ? "by" : "most by", most.behavior);
 }
 
 ExplainedOption Explained(const BiddenOption& option) {
-  const OptionBid* veto = VetoOn(option);
-  ExplainedOption explained{
-      .source = option.source,
-      .length = option.length,
-      .end = option.end,
-      .total = option.total,
-      .rate = option.rate,
-      .rate_length = RateLengthOf(option),
-      .vetoed_by = veto == nullptr ? std::nullopt : std::optional(veto->behavior),
-      .lost_because = {},
-      .bids = {}};
-  for (const OptionBid& bid : option.bids) {
-    explained.bids.push_back(Explained(bid));
-  }
-  return explained;
+  const WeightedBid* veto = VetoOn(option);
+  return {.source = option.source,
+          .length = option.length,
+          .end = option.end,
+          .total = option.total,
+          .rate = option.rate,
+          .rate_length = RateLengthOf(option),
+          .vetoed_by = veto == nullptr ? std::nullopt : std::optional(veto->behavior),
+          .lost_because = {},
+          .bids = option.bids};
 }
 
 }  // namespace
@@ -104,8 +80,8 @@ Explanation Explain(const LoggedDecision& decision, const LoggedMotion* motion) 
   }
   for (std::size_t i = 0; i < bids.options.size(); ++i) {
     ExplainedOption option = Explained(bids.options[i]);
-    if (const OptionBid* veto = VetoOn(bids.options[i])) {
-      option.lost_because = fmt::format("vetoed by {}: {}", veto->behavior, veto->why);
+    if (const WeightedBid* veto = VetoOn(bids.options[i])) {
+      option.lost_because = fmt::format("vetoed by {}: {}", veto->behavior, WhyText(veto->bid));
     } else if (explanation.chosen && i != *explanation.chosen) {
       option.lost_because =
           WhyLost(bids.options[i], bids, *explanation.chosen, explanation.bidders);

@@ -13,18 +13,6 @@
 
 namespace limpet {
 
-/// A part of a bid, by name, in the unit that the behavior bids in.
-struct NamedPart {
-  std::string name;
-  double value = 0.0;
-};
-struct ExplainedBid {
-  std::string behavior;
-  double value = 0.0;
-  double weight = 1.0;
-  std::optional<std::string> veto;
-  std::vector<NamedPart> why;
-};
 struct ExplainedOption {
   std::string source;
   double length = 0.0;          ///< [m]
@@ -34,7 +22,7 @@ struct ExplainedOption {
   double rate_length = 0.0;     ///< [m]
   std::optional<std::string> vetoed_by;
   std::string lost_because;  ///< empty for the one that was chosen
-  std::vector<ExplainedBid> bids;
+  std::vector<WeightedBid> bids;
 };
 struct Explanation {
   double time = 0.0;  ///< as LoggedDecision has it [s]

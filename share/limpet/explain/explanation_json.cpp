@@ -13,21 +13,22 @@ Json OrNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json Built(const ExplainedBid& bid) {
+Json Built(const WeightedBid& weighted) {
+  const Bid& bid = weighted.bid;
   Json why = Json::object();
-  for (const NamedPart& part : bid.why) {
-    why[part.name] = part.value;
+  for (const Reason& reason : bid.why) {
+    why[reason.name] = reason.value;
   }
-  return {{"behavior", bid.behavior},
+  return {{"behavior", weighted.behavior},
           {"value", bid.value},
-          {"weight", bid.weight},
+          {"weight", weighted.weight},
           {"veto", OrNull(bid.veto)},
           {"why", why}};
 }
 
 Json Built(const ExplainedOption& option) {
   Json bids = Json::array();
-  for (const ExplainedBid& bid : option.bids) {
+  for (const WeightedBid& bid : option.bids) {
     bids.push_back(Built(bid));
   }
   return {{"source", option.source},

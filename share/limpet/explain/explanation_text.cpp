@@ -44,15 +44,15 @@ class NumberColumn {
   std::string head_;
 };
 
-const ExplainedBid* BidBy(const ExplainedOption& option, const std::string& behavior) {
-  const auto found = std::ranges::find(option.bids, behavior, &ExplainedBid::behavior);
+const WeightedBid* BidBy(const ExplainedOption& option, const std::string& behavior) {
+  const auto found = std::ranges::find(option.bids, behavior, &WeightedBid::behavior);
   return found == option.bids.end() ? nullptr : &*found;
 }
 
 /// `cover x 1`, by the first option on which it bid.
 std::string HeadOf(const std::string& behavior, const Explanation& explanation) {
   for (const ExplainedOption& option : explanation.options) {
-    if (const ExplainedBid* bid = BidBy(option, behavior)) {
+    if (const WeightedBid* bid = BidBy(option, behavior)) {
       return fmt::format("{} x {}", Shown(behavior), DecimalText(bid->weight, 3));
     }
   }
@@ -81,10 +81,9 @@ Frame OptionTable(const Explanation& explanation) {
                           {total.Of(option.total, 2), ink},
                           {rate.Of(option.rate, 3), ink}};
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const ExplainedBid* bid = BidBy(option, explanation.bidders[column]);
-      row.push_back({bid == nullptr ? columns[column].None()
-                                    : columns[column].Of(bid->weight * bid->value, 2),
-                     ink});
+      const WeightedBid* bid = BidBy(option, explanation.bidders[column]);
+      row.push_back(
+          {bid == nullptr ? columns[column].None() : columns[column].Of(bid->Worth(), 2), ink});
     }
     row.push_back({OneLine(option.lost_because, 90), ink});
     table.Add(std::move(row));
@@ -94,15 +93,16 @@ Frame OptionTable(const Explanation& explanation) {
 
 Frame Reasons(const ExplainedOption& chosen) {
   TextTable table({"  what bids on it say", "", ""});
-  for (const ExplainedBid& bid : chosen.bids) {
+  for (const WeightedBid& weighted : chosen.bids) {
     std::string parts;
-    for (const NamedPart& part : bid.why) {
-      parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", OneLine(part.name, 40),
-                           DecimalText(part.value, 2));
+    for (const Reason& reason : weighted.bid.why) {
+      parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", OneLine(reason.name, 40),
+                           DecimalText(reason.value, 2));
     }
-    table.Add({{"  " + Shown(bid.behavior)},
-               {fmt::format("{:>8.2f} x {}", bid.value + 0.0, DecimalText(bid.weight, 3))},
-               {parts}});
+    table.Add(
+        {{"  " + Shown(weighted.behavior)},
+         {fmt::format("{:>8.2f} x {}", weighted.bid.value + 0.0, DecimalText(weighted.weight, 3))},
+         {parts}});
   }
   return table.Lines();
 }

@@ -14,6 +14,7 @@
 #include "limpet/helm/peak.hpp"
 #include "limpet/helm/situation.hpp"
 #include "limpet/planning/option.hpp"
+#include "limpet/topics/bid.hpp"
 #include "limpet/topics/warning.hpp"
 
 namespace limpet {
@@ -38,20 +39,6 @@ struct MotionBid {
   std::optional<double> turn_rate;  ///< feed-forward of the course [rad/s], starboard positive
   std::optional<BehaviorWarning> warning;
   std::vector<BehaviorAct> acts{};  ///< what it posts, and that it is done; in this order
-};
-
-/// What one reason contributes to a bid.
-struct Reason {
-  const char* name;
-  double value;
-};
-
-/// Where next: the worth of one option, with reasons; or a veto. In metres of path, or in nats if
-/// the behavior says so; behaviors that run together use one unit.
-struct Bid {
-  double value = 0.0;
-  std::vector<Reason> why;
-  std::optional<std::string> veto;
 };
 
 /// A function of parameters and a snapshot: no look-ups by name, no clock, no side effects. A

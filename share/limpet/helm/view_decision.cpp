@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "limpet/decision/merit.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
@@ -17,17 +16,6 @@ struct ValuedOption {
   std::size_t index = 0;  ///< among those offered
   BiddenOption bidden;
 };
-
-std::string WhyText(const Bid& bid) {
-  if (bid.veto) {
-    return *bid.veto;
-  }
-  std::string text;
-  for (const Reason& reason : bid.why) {
-    text += fmt::format("{}{}={:.2f}", text.empty() ? "" : " ", reason.name, reason.value);
-  }
-  return text;
-}
 
 /// What a behavior bids on every option; or why it is not heard.
 struct Valuation {
@@ -48,16 +36,6 @@ Valuation ValuationBy(const WeightedBehavior& running, const Situation& now,
     });
   });
   return valuation;
-}
-
-void AddBid(const WeightedBehavior& running, const std::optional<Bid>& bid, BiddenOption& bidden) {
-  if (bid) {
-    bidden.bids.push_back({.behavior = running.name,
-                           .value = bid->value,
-                           .weight = running.weight,
-                           .has_veto = bid->veto.has_value(),
-                           .why = WhyText(*bid)});
-  }
 }
 
 ValuedOption Unvalued(const Option& option, std::size_t index) {
@@ -95,7 +73,7 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
   AnswerWatch nobody_is_late{{}};
   const std::optional<double> shortest_whole = ShortestWhole(options);
   for (const WeightedBehavior& running : behaviors) {
-    const Valuation valuation =
+    Valuation valuation =
         ValuationBy(running, now, prospects, watch != nullptr ? *watch : nobody_is_late);
     if (valuation.late) decision.late.push_back(LatenessOf(running.name, *valuation.late));
     if (valuation.late) continue;
@@ -104,7 +82,10 @@ ViewDecision DecideView(std::span<const WeightedBehavior> behaviors, const Situa
       continue;
     }
     for (std::size_t i = 0; i < options.size(); ++i) {
-      AddBid(running, valuation.bids[i], valued[i].bidden);
+      if (std::optional<Bid>& bid = valuation.bids[i]) {
+        valued[i].bidden.bids.push_back(
+            {.behavior = running.name, .weight = running.weight, .bid = *std::move(bid)});
+      }
     }
   }
   for (ValuedOption& option : valued) {

@@ -274,7 +274,25 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HelmPath, id, north, east, yaw, segments, purpose)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OptionBid, behavior, value, weight, has_veto, why)
+
+void to_json(nlohmann::json& out, const WeightedBid& weighted) {
+  out = {{"behavior", weighted.behavior},
+         {"value", weighted.bid.value},
+         {"weight", weighted.weight},
+         {"has_veto", weighted.bid.veto.has_value()},
+         {"why", WhyText(weighted.bid)}};
+}
+
+void from_json(const nlohmann::json& in, WeightedBid& weighted) {
+  weighted = {
+      .behavior = in.at("behavior"), .weight = in.at("weight"), .bid = {.value = in.at("value")}};
+  const std::string why = in.at("why");
+  if (in.at("has_veto").get<bool>()) {
+    weighted.bid.veto = why;
+  } else {
+    weighted.bid.why = ReasonsIn(why);
+  }
+}
 
 void to_json(nlohmann::json& out, const BiddenOption& option) {
   out = {{"source", option.source}, {"length", option.length}, {"total", option.total},

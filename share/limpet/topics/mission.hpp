@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "limpet/topics/bid.hpp"
 #include "limpet/topics/topic.hpp"
 
 namespace limpet {
@@ -62,13 +63,6 @@ template <>
 struct TopicCodec<HelmPath> : JsonCodec<HelmPath> {};
 
 /// One option of a decision as each behavior valued it; metres of path (nats in paper mode).
-struct OptionBid {
-  std::string behavior;
-  double value = 0.0;
-  double weight = 1.0;
-  bool has_veto = false;
-  std::string why;
-};
 struct BiddenOption {
   std::string source;  ///< generator: beam, view_tree, home, ...
   double length = 0.0;
@@ -77,7 +71,7 @@ struct BiddenOption {
   /// Options that lead to the same end are compared by their totals: they share one length [m].
   std::optional<double> rate_length{};
   std::array<double, 2> end{};  ///< north, east of its end [m]
-  std::vector<OptionBid> bids;
+  std::vector<WeightedBid> bids;
 };
 /// How options of different length are compared.
 enum class OptionOrder {

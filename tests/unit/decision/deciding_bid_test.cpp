@@ -3,30 +3,37 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/decision/merit.hpp"
+
 namespace limpet {
 namespace {
 
-OptionBid Cover(double value) { return {"cover", value, 1.0, false, "useful=9.00 length=11.00"}; }
-OptionBid Look(double value) { return {"revisit", value, 1.0, false, "looks_worth=3.00"}; }
-OptionBid Late(double value) { return {"in_time", value, 1.0, false, "overrun=0.00"}; }
-OptionBid Region() { return {"region", 0.0, 1.0, false, ""}; }
+WeightedBid Cover(double value) {
+  return {"cover", 1.0, {.value = value, .why = {{"useful", 9.0}, {"length", 11.0}}}};
+}
+WeightedBid Look(double value) {
+  return {"revisit", 1.0, {.value = value, .why = {{"looks_worth", 3.0}}}};
+}
+WeightedBid Late(double value) {
+  return {"in_time", 1.0, {.value = value, .why = {{"overrun", 0.0}}}};
+}
+WeightedBid Region() { return {"region", 1.0, {}}; }
 
 /// Options of 10 m in the order in which the helm lists them.
-HelmBids Bids(const std::vector<std::vector<OptionBid>>& options) {
+HelmBids Bids(const std::vector<std::vector<WeightedBid>>& options) {
   HelmBids bids;
   for (const auto& list : options) {
     BiddenOption option;
     option.length = 10.0;
     option.bids = list;
-    for (const OptionBid& bid : list)
-      option.total += bid.weight * bid.value;
+    option.total = TotalOf(list);
     option.rate = option.total / option.length;
     bids.options.push_back(option);
   }
   return bids;
 }
 
-std::string WhoDecides(const std::vector<std::vector<OptionBid>>& options) {
+std::string WhoDecides(const std::vector<std::vector<WeightedBid>>& options) {
   const auto deciding = DecidingBidOf(Bids(options));
   return deciding ? deciding->behavior : "nobody";
 }
@@ -50,11 +57,12 @@ TEST(DecidingBid, IsTheCostThatRulesOutWhatWouldElseHaveWon) {
 }
 
 TEST(DecidingBid, IsNotTheOneThatOnlyForbids) {
-  EXPECT_EQ(WhoDecides({{{"home", -30.0, 1.0, false, "to_go=30.00"}, Region()}}), "home");
+  const WeightedBid home{"home", 1.0, {.value = -30.0, .why = {{"to_go", 30.0}}}};
+  EXPECT_EQ(WhoDecides({{home, Region()}}), "home");
 }
 
 TEST(DecidingBid, MindsTheWeights) {
-  OptionBid heavy = Look(2.0);
+  WeightedBid heavy = Look(2.0);
   heavy.weight = 5.0;
   EXPECT_EQ(WhoDecides({{Cover(6.0), heavy}}), "revisit");
 }

@@ -13,7 +13,7 @@ namespace {
 
 struct Offer {
   double length = 10.0;
-  std::vector<OptionBid> bids;
+  std::vector<WeightedBid> bids;
 };
 
 HelmBids Table(const std::vector<Offer>& offers, OptionOrder order = OptionOrder::kPerMetre) {
@@ -28,13 +28,14 @@ HelmBids Table(const std::vector<Offer>& offers, OptionOrder order = OptionOrder
   return Reweighted(bids, "", 0.0);
 }
 
-OptionBid Bid(const char* behavior, double value, double weight = 1.0) {
-  return {behavior, value, weight, false, ""};
+WeightedBid Says(const char* behavior, double value, double weight = 1.0) {
+  return {behavior, weight, {.value = value}};
 }
+WeightedBid Outside() { return {"region", 1.0, {.veto = "outside"}}; }
 
 TEST(Flip, IsTheWeightAtWhichTheRunnerUpOvertakes) {
-  const HelmBids bids = Table({{10.0, {Bid("cover", 8.0), Bid("look", 0.0)}},
-                               {10.0, {Bid("cover", 5.0), Bid("look", 2.0)}}});
+  const HelmBids bids = Table({{10.0, {Says("cover", 8.0), Says("look", 0.0)}},
+                               {10.0, {Says("cover", 5.0), Says("look", 2.0)}}});
   const auto more_look = FlipOf(bids, "look");
   ASSERT_TRUE(more_look);
   EXPECT_NEAR(more_look->new_weight, 1.5, 1e-6);
@@ -46,10 +47,10 @@ TEST(Flip, IsTheWeightAtWhichTheRunnerUpOvertakes) {
 }
 
 TEST(Flip, IsTheNearestOfMany) {
-  const HelmBids bids = Table({{10.0, {Bid("cover", 8.0), Bid("look", 1.0)}},
-                               {10.0, {Bid("cover", 0.0), Bid("look", 9.0)}},
-                               {10.0, {Bid("cover", 7.0), Bid("look", 0.0)}},
-                               {10.0, {Bid("cover", 6.0), Bid("look", 2.9)}}});
+  const HelmBids bids = Table({{10.0, {Says("cover", 8.0), Says("look", 1.0)}},
+                               {10.0, {Says("cover", 0.0), Says("look", 9.0)}},
+                               {10.0, {Says("cover", 7.0), Says("look", 0.0)}},
+                               {10.0, {Says("cover", 6.0), Says("look", 2.9)}}});
   const auto flip = FlipOf(bids, "look");
   ASSERT_TRUE(flip);
   EXPECT_EQ(flip->to, 1U) << "level with it at weight 1, with the last at 1.05";
@@ -57,7 +58,7 @@ TEST(Flip, IsTheNearestOfMany) {
 
 TEST(Flip, IsNotThereWhereNoWeightHelps) {
   const HelmBids bids =
-      Table({{10.0, {Bid("cover", 8.0), Bid("region", 0.0)}}, {10.0, {Bid("cover", 5.0)}}});
+      Table({{10.0, {Says("cover", 8.0), Says("region", 0.0)}}, {10.0, {Says("cover", 5.0)}}});
   EXPECT_EQ(FlipOf(bids, "region"), std::nullopt) << "it says nothing in metres";
   EXPECT_EQ(FlipOf(bids, "nobody"), std::nullopt);
   EXPECT_EQ(FlipOf(bids, "cover"), std::nullopt)
@@ -66,22 +67,22 @@ TEST(Flip, IsNotThereWhereNoWeightHelps) {
 
 TEST(Flip, NeverLeadsToWhatSomebodyForbids) {
   HelmBids bids =
-      Table({{10.0, {Bid("cover", 8.0)}}, {10.0, {Bid("cover", 5.0), Bid("look", 3.0)}}});
-  bids.options[1].bids.push_back({"region", 0.0, 1.0, true, "outside"});
+      Table({{10.0, {Says("cover", 8.0)}}, {10.0, {Says("cover", 5.0), Says("look", 3.0)}}});
+  bids.options[1].bids.push_back(Outside());
   EXPECT_EQ(FlipOf(bids, "look"), std::nullopt);
 }
 
 TEST(Flip, IsNotThereWhereTheBidsDifferByRounding) {
-  const HelmBids bids = Table({{10.0, {Bid("cover", 8.0), Bid("home", 0.3)}},
-                               {10.0, {Bid("cover", 5.0), Bid("home", 0.1 + 0.2)}}});
+  const HelmBids bids = Table({{10.0, {Says("cover", 8.0), Says("home", 0.3)}},
+                               {10.0, {Says("cover", 5.0), Says("home", 0.1 + 0.2)}}});
   ASSERT_NE(0.1 + 0.2, 0.3);
   EXPECT_EQ(FlipOf(bids, "home"), std::nullopt) << "a weight of 6e16 is no advice";
 }
 
 TEST(Flip, LeadsPastAnOptionThatIsWorthTheSame) {
-  const HelmBids bids = Table({{246.2, {Bid("cover", 100.3), Bid("look", 0.3)}},
-                               {246.2, {Bid("cover", 100.3), Bid("look", 0.1 + 0.2)}},
-                               {246.2, {Bid("cover", 90.0), Bid("look", 5.0)}}});
+  const HelmBids bids = Table({{246.2, {Says("cover", 100.3), Says("look", 0.3)}},
+                               {246.2, {Says("cover", 100.3), Says("look", 0.1 + 0.2)}},
+                               {246.2, {Says("cover", 90.0), Says("look", 5.0)}}});
   const std::optional<std::size_t> chosen = ChoiceOf(bids);
   ASSERT_LT(*chosen, 2U);
   for (const char* behavior : {"cover", "look"}) {
@@ -104,11 +105,11 @@ TEST(Flip, AgreesWithTryingEveryWeight) {
       offer.length = random.Uniform(0.5, 30.0);
       for (const char* name : {"cover", "look", "home"}) {
         if (!random.Chance(0.2)) {
-          offer.bids.push_back(Bid(name, random.Uniform(-10.0, 10.0), 1.3));
+          offer.bids.push_back(Says(name, random.Uniform(-10.0, 10.0), 1.3));
         }
       }
       if (random.Chance(0.1)) {
-        offer.bids.push_back({"region", 0.0, 1.0, true, "outside"});
+        offer.bids.push_back(Outside());
       }
     }
     const HelmBids bids =

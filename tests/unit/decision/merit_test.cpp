@@ -6,7 +6,7 @@
 namespace limpet {
 namespace {
 
-BiddenOption Option(double length, std::vector<OptionBid> bids) {
+BiddenOption Option(double length, std::vector<WeightedBid> bids) {
   BiddenOption option;
   option.length = length;
   option.bids = std::move(bids);
@@ -15,8 +15,8 @@ BiddenOption Option(double length, std::vector<OptionBid> bids) {
   return option;
 }
 
-OptionBid GroundBid(double value) { return {"cover", value, 2.0, false, ""}; }
-OptionBid Forbids() { return {"region", 0.0, 1.0, true, "leaves the operating region"}; }
+WeightedBid GroundBid(double value) { return {"cover", 2.0, {.value = value}}; }
+WeightedBid Forbids() { return {"region", 1.0, {.veto = "leaves the operating region"}}; }
 
 TEST(Merit, IsTheWeightedSumPerMetreOrTheSumAlone) {
   HelmBids bids;
@@ -42,9 +42,9 @@ TEST(Merit, OfEqualsGoesToTheFirst) {
 }
 
 TEST(Merit, OfAnOptionIsTheSumOfItsBidsShares) {
-  const BiddenOption option = Option(4.0, {GroundBid(6.0), {"home", -3.0, 0.5, false, ""}});
+  const BiddenOption option = Option(4.0, {GroundBid(6.0), {"home", 0.5, {.value = -3.0}}});
   double sum = 0.0;
-  for (const OptionBid& bid : option.bids) {
+  for (const WeightedBid& bid : option.bids) {
     sum += ShareOf(bid, option, OptionOrder::kPerMetre);
   }
   EXPECT_NEAR(sum, option.rate, 1e-12);

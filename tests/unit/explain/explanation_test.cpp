@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-BiddenOption Option(const std::string& source, std::vector<OptionBid> bids) {
+BiddenOption Option(const std::string& source, std::vector<WeightedBid> bids) {
   BiddenOption option;
   option.source = source;
   option.length = 10.0;
@@ -27,12 +27,16 @@ LoggedDecision SurveyDecision() {
   HelmBids bids;
   bids.path_id = 4;
   bids.cause = "objects changed";
-  bids.options = {Option("beam", {{"cover", 8.0, 1.0, false, "useful=18.00 length=10.00"},
-                                  {"revisit", 1.0, 0.5, false, "looks_worth=1.00"}}),
-                  Option("gaps", {{"cover", 5.0, 1.0, false, "useful=15.00 length=10.00"},
-                                  {"revisit", 3.0, 0.5, false, "looks_worth=3.00"}}),
-                  Option("tour", {{"cover", 9.0, 1.0, false, "useful=19.00 length=10.00"},
-                                  {"region", 0.0, 1.0, true, "leaves the operating region"}})};
+  const auto cover = [](double value) {
+    return WeightedBid{
+        "cover", 1.0, {.value = value, .why = {{"useful", value + 10.0}, {"length", 10.0}}}};
+  };
+  const auto revisit = [](double value) {
+    return WeightedBid{"revisit", 0.5, {.value = value, .why = {{"looks_worth", value}}}};
+  };
+  const WeightedBid region{"region", 1.0, {.veto = "leaves the operating region"}};
+  bids.options = {Option("beam", {cover(8.0), revisit(1.0)}),
+                  Option("gaps", {cover(5.0), revisit(3.0)}), Option("tour", {cover(9.0), region})};
   return {.time = 545.25, .bids = Reweighted(bids, "", 0.0)};
 }
 
@@ -51,8 +55,8 @@ TEST(Explanation, SaysThatOfEqualsTheFirstOfferWon) {
   EXPECT_EQ(Explain(decision).options[1].lost_because, "worth the same, and offered later");
 }
 
-TEST(Explanation, TakesReasonsApart) {
-  const ExplainedBid bid = Explain(SurveyDecision()).options[0].bids[0];
+TEST(Explanation, HasTheReasonsOfEachBid) {
+  const Bid bid = Explain(SurveyDecision()).options[0].bids[0].bid;
   ASSERT_EQ(bid.why.size(), 2U);
   EXPECT_EQ(bid.why[0].name, "useful");
   EXPECT_EQ(bid.why[0].value, 18.0);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
+#include "limpet/decision/merit.hpp"
 #include "limpet/helm/view_decision.hpp"
 
 namespace limpet {
@@ -176,15 +177,15 @@ TEST_F(ViewDecisionProperties, TheListIsEveryOptionBestFirstWithEveryBid) {
     bool has_come_to_vetoes = false;
     double last = std::numeric_limits<double>::infinity();
     for (const BiddenOption& listed : decision.bids.options) {
-      const bool is_vetoed = std::ranges::any_of(listed.bids, &OptionBid::has_veto);
+      const bool is_vetoed = VetoOn(listed) != nullptr;
       EXPECT_FALSE(has_come_to_vetoes && !is_vetoed) << "what is forbidden comes last";
       if (is_vetoed && !has_come_to_vetoes) last = std::numeric_limits<double>::infinity();
       has_come_to_vetoes = is_vetoed;
       EXPECT_LE(listed.rate, last);
       last = listed.rate;
       double total = 0.0;
-      for (const OptionBid& bid : listed.bids)
-        total += bid.weight * bid.value;
+      for (const WeightedBid& weighted : listed.bids)
+        total += weighted.weight * weighted.bid.value;
       EXPECT_NEAR(listed.total, total, 1e-9);
     }
   }

@@ -68,7 +68,7 @@ TEST_F(ViewDecisionTest, DropsVetoedOptionsHoweverGood) {
   });
   const ViewDecision decision = Decide({{"a", 1.0, &likes_long}, {"b", 1.0, &forbids_long}});
   EXPECT_EQ(decision.chosen->source, "short");
-  EXPECT_EQ(decision.bids.options.back().bids.back().why, "too long");
+  EXPECT_EQ(decision.bids.options.back().bids.back().bid.veto, "too long");
 }
 
 TEST_F(ViewDecisionTest, ChoosesNothingWhenAllIsVetoed) {
@@ -133,7 +133,8 @@ TEST_F(ViewDecisionTest, ExplainsEachBidWithItsReasons) {
   JudgingBehavior behavior([](const Prospect& p) {
     return Bid{.value = 1.0, .why = {{"length", p.length()}}, .veto = {}};
   });
-  EXPECT_EQ(Decide({{"a", 1.0, &behavior}}).bids.options.front().bids.front().why, "length=3.00");
+  const BiddenOption first = Decide({{"a", 1.0, &behavior}}).bids.options.front();
+  EXPECT_EQ(WhyText(first.bids.front().bid), "length=3.00");
 }
 
 }  // namespace

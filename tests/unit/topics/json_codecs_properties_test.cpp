@@ -122,12 +122,18 @@ class Maker {
            .order = random_.Chance(0.5) ? OptionOrder::kBySum : OptionOrder::kPerMetre,
            .options = {}};
     for (std::size_t i = Few(); i > 0; --i) {
+      Bid bid{.value = Real()};
+      if (random_.Chance(0.5)) {
+        bid.veto = Word();
+      } else {
+        bid.why = {{"useful", Real()}, {"length", Real()}};
+      }
       out.options.push_back({.source = Word(),
                              .length = Real(),
                              .total = Real(),
                              .rate = Real(),
                              .end = {Real(), Real()},
-                             .bids = {{Word(), Real(), Real(), random_.Chance(0.5), Word()}}});
+                             .bids = {{Word(), Real(), bid}}});
     }
   }
   void Fill(HelmMotion& out) {

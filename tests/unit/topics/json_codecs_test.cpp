@@ -78,6 +78,17 @@ TEST(WireForm, OfAnObservedFrameSaysWhereItWasAndWhatItShows) {
   EXPECT_EQ(frame->boxes.at(0).w, 113.68842549239903);
 }
 
+TEST(WireForm, OfADecisionStays) {
+  ExpectSameBytes<HelmBids>(
+      R"({"cause":"arrived","considered":2,"options":[{"bids":[{"behavior":"cover","has_veto":false,)"
+      R"("value":-0.5004,"weight":1.5,"why":"useful=11.50 length=-12.00"},)"
+      R"({"behavior":"region","has_veto":true,"value":0.0,"weight":1.0,)"
+      R"("why":"leaves=the operating  region"},)"
+      R"({"behavior":"home","has_veto":false,"value":0.0,"weight":1.0,"why":""}],)"
+      R"("end":[1.0,2.0],"length":12.0,"rate":0.25,"source":"beam","total":3.5}],)"
+      R"("path_id":3,"ranked_by":"rate"})");
+}
+
 TEST(WireForm, OfLandmarksStays) {
   ExpectSameBytes<Landmarks>(
       R"({"landmarks":[{"color":"orange","cov":[0.0376,-0.0038,-7.232413314403378e-05,)"
@@ -161,18 +172,24 @@ TEST(JsonTopic, BringsBackDetections) {
 TEST(JsonTopic, BringsBackDecisionsWithTheirReasons) {
   HelmBids sent;
   sent.cause = "arrived";
-  sent.options.push_back({.source = "beam",
-                          .length = 12.0,
-                          .total = 3.5,
-                          .end = {1.0, 2.0},
-                          .bids = {{.behavior = "cover",
-                                    .value = 15.5,
-                                    .weight = 1.0,
-                                    .has_veto = false,
-                                    .why = "useful=16"}}});
+  sent.options.push_back(
+      {.source = "beam",
+       .length = 12.0,
+       .total = 3.5,
+       .end = {1.0, 2.0},
+       .bids = {
+           {.behavior = "cover", .weight = 1.0, .bid = {.value = 15.5, .why = {{"useful", 16.0}}}},
+           {.behavior = "region", .weight = 1.0, .bid = {.veto = "leaves=the region"}}}});
   const auto back = RoundTrip(sent);
   ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(back->options.at(0).bids.at(0).why, "useful=16");
+  const Bid& cover = back->options.at(0).bids.at(0).bid;
+  ASSERT_EQ(cover.why.size(), 1U);
+  EXPECT_EQ(cover.why.front().name, "useful");
+  EXPECT_EQ(cover.why.front().value, 16.0);
+  EXPECT_EQ(cover.veto, std::nullopt);
+  const Bid& region = back->options.at(0).bids.at(1).bid;
+  EXPECT_EQ(region.veto, "leaves=the region");
+  EXPECT_TRUE(region.why.empty());
   EXPECT_EQ(back->options.at(0).end[1], 2.0);
 }
 
