@@ -166,7 +166,7 @@ void BHV_Loiter::TellCompletion(ActList& acts) {
 }
 
 bool BHV_Loiter::IsSlungRound(const MapPoint& at, ActList& acts) {
-  if (params_.slingshot_deg < 0.0 || rounds_.is_acquiring) return false;
+  if (!params_.slingshot || rounds_.is_acquiring) return false;
   const double bearing = BearingTo(at, rounds_.polygon->Center());
   if (rounds_.last_bearing) {
     const double step = std::abs(WrapAngle(bearing - *rounds_.last_bearing));
@@ -175,7 +175,7 @@ bool BHV_Loiter::IsSlungRound(const MapPoint& at, ActList& acts) {
     acts.Post("LOITER_BNG_DELTA", DegreesFromRadians(step));
   }
   rounds_.last_bearing = bearing;
-  return rounds_.swept > RadiansFromDegrees(params_.slingshot_deg);
+  return rounds_.swept > params_.slingshot->value();
 }
 
 MotionBid BHV_Loiter::Move(const VehicleState& state) {

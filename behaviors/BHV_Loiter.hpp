@@ -32,7 +32,7 @@ class BHV_Loiter final : public Behavior {
     std::optional<double> center_x{}, center_y{};
     double growth = 0.0;  ///< of `mod_poly_rad` [m]
     bool is_center_activated = false;
-    double slingshot_deg = -1.0;  ///< completes after so much of a round; below 0: never
+    std::optional<Radians> slingshot{};  ///< completes after so much of a round; nothing: never
     double spiral_factor = 100.0;
     double patience = 50.0;
     bool prefers_slower = false;  ///< of speeds: `ipf_type = zaic_spd`

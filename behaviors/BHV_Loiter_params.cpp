@@ -90,8 +90,11 @@ void BHV_Loiter::Params::Describe(ParamCollector& visit) {
   visit("acquire_dist", acquire_distance, "Further outside than this it heads for the best corner",
         InRange(Meters(0.0), Meters(100000.0)));
   visit.Also({"acquire_distance"});
-  visit("slingshot", slingshot_deg, "Complete after so much of a round [deg]; below 0: never",
-        InRange(-1.0, 36000.0));
+  visit.Number("slingshot", -1.0, "Complete after so much of a round [deg]; below 0: never",
+               InRange(-1.0, 36000.0), [this](double degrees) {
+                 slingshot =
+                     degrees < 0.0 ? std::nullopt : std::optional(Radians::FromTextUnit(degrees));
+               });
   visit(
       "spiral_factor", spiral_factor,
       "From inside: 0 keeps on ahead, 100 turns for the best corner; beyond, as the nearer of them",

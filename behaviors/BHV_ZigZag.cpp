@@ -76,7 +76,7 @@ bool BHV_ZigZag::IsDone() const {
   // The first, from the stem, is half a leg: MOOS-IvP flies one more than it counts.
   const bool is_flown = params_.legs > 0 && run_.legs > params_.legs;
   const bool is_far =
-      params_.longest_stem > 0.0 && std::abs(Stem().Along(run_.last)) >= params_.longest_stem;
+      params_.longest_stem && std::abs(Stem().Along(run_.last)) >= params_.longest_stem->value();
   return is_flown || is_far;
 }
 

@@ -28,7 +28,7 @@ class BHV_ZigZag final : public Behavior {
     std::optional<Radians> fierce_angle{};
     bool is_fierce = false, begins_to_port = true;
     int legs = 2;
-    double longest_stem = -1.0;  ///< [m]; not above 0: no limit
+    std::optional<Meters> longest_stem{};  ///< nothing: no limit
     std::vector<Flag> zig_flags{}, zag_flags{}, port_flags{}, starboard_flags{};
     std::vector<Flag> port_end_flags{}, starboard_end_flags{};
     VisualHints hints{};

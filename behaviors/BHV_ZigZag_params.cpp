@@ -45,8 +45,10 @@ void DescribeTurns(ParamCollector& visit, ZigZagParams& params) {
         InRange(0, 2'000'000));
   visit.Parsed("max_zig_zags", "a whole number from 1", "max_zig_legs in pairs of legs", "",
                [&params](std::string_view text) { return ReadPairs(text, params); });
-  visit("max_stem_odo", params.longest_stem,
-        "Complete so far along the stem [m]; not above 0: no limit", InRange(-1.0, 1e6));
+  visit.Number("max_stem_odo", -1.0, "Complete so far along the stem [m]; not above 0: no limit",
+               InRange(-1.0, 1e6), [&params](double length) {
+                 params.longest_stem = length > 0.0 ? std::optional(Meters(length)) : std::nullopt;
+               });
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ class HelmJournal {
   std::vector<Entry> entries_;
   Seconds started_{0.0};
   std::optional<std::string> state_variables_;  ///< as last posted
-  int completed_ = -1;  ///< behaviors that ended in an iteration, as last posted
+  std::optional<int> completed_;  ///< behaviors that ended in an iteration, as last posted
   int alive_ = 0;
   int made_ = 0;                                ///< behaviors, ever
-  int functions_ = -1;                          ///< as last posted
+  std::optional<int> functions_;                ///< as last posted
   int pieces_ = 0;                              ///< as last posted
   std::string update_variables_;                ///< as last posted
   std::map<std::string, std::string> summary_;  ///< fields as last posted

@@ -14,7 +14,6 @@
 #include "estimation/association/pair_evidence.hpp"
 #include "estimation/association/track_placement.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
-#include "limpet/core/long_ago.hpp"
 
 namespace limpet {
 namespace {
@@ -34,10 +33,11 @@ std::vector<Observation> LandmarkReview::TakeOutliers(TrackedObject& object) {
   const Eigen::Vector3d p_W = smoother_.BorderAt(object.slot());
   // Old observations are reviewed again once the object has moved.
   const bool has_moved = !object.reviewed_p_W || (p_W - *object.reviewed_p_W).norm() > kMoved;
-  const double since = has_moved ? kLongAgo : object.last_seen() - kRecent;
+  const auto reviewed_up_to =
+      has_moved ? std::nullopt : std::optional(object.last_seen() - kRecent);
   if (has_moved) object.reviewed_p_W = p_W;
   const auto fits = [&](const Observation& one) {
-    if (one.terms.empty() || one.t < since) {
+    if (one.terms.empty() || (reviewed_up_to && one.t < *reviewed_up_to)) {
       return true;
     }
     const CameraModel camera = mount_.At(one.motion);

@@ -14,15 +14,14 @@ constexpr double kUnknownVariance = 1e6;      // from which on a direction count
 
 }  // namespace
 
-/// Block -1 is the anchor (six columns), block s the graph's slot s (three).
 struct ArrowRoot::Prior {
-  std::vector<int> slots;   ///< in the order of their columns
-  std::vector<int> places;  ///< of the slots in it, or -1
+  std::vector<int> slots;                  ///< in the order of their columns
+  std::vector<std::optional<int>> places;  ///< of the slots that are in it
   Eigen::LLT<Eigen::MatrixXd> llt;
-  Eigen::VectorXd mean;                    ///< absolute
-  std::map<int, Eigen::MatrixXd> columns;  ///< of the covariance, per block, computed when asked
+  Eigen::VectorXd mean;                      ///< absolute
+  std::map<Block, Eigen::MatrixXd> columns;  ///< of the covariance, computed when asked
   // Of the last Solve: z = (anchor, the leaf's blocks), then the head.
-  std::vector<int> blocks;
+  std::vector<Block> blocks;
   Eigen::MatrixXd z_columns;                  ///< of the prior's covariance
   Eigen::MatrixXd z_covariance, information;  ///< of z in the prior
   Eigen::LLT<Eigen::MatrixXd> joint;          ///< of the information of (z, head)
@@ -38,10 +37,10 @@ struct ArrowRoot::Prior {
     return posterior;
   }
 
-  [[nodiscard]] int First(int block) const {
-    return block < 0 ? 0 : 6 + 3 * places[AsIndex(block)];
+  [[nodiscard]] int First(Block block) const {
+    return block ? 6 + 3 * *places[AsIndex(*block)] : 0;
   }
-  static int Width(int block) { return block < 0 ? 6 : 3; }
+  static int Width(Block block) { return block ? 3 : 6; }
 };
 
 ArrowRoot::ArrowRoot() : prior_(std::make_unique<Prior>()) {}
@@ -61,7 +60,7 @@ void ArrowRoot::SetPrior(const ArrowMessage& message, const std::vector<int>& sl
   prior->mean = prior->llt.solve(Eigen::Map<const Eigen::VectorXd>(message.g.data(), n));
   prior->mean.head<6>() += anchor;
   prior->slots = slots;
-  prior->places.assign(border.size() / 3, -1);
+  prior->places.assign(border.size() / 3, std::nullopt);
   for (std::size_t place = 0; place < slots.size(); ++place) {
     prior->places[AsIndex(slots[place])] = static_cast<int>(place);
     const Eigen::Map<const Eigen::Vector3d> from(&border[AsIndex(3 * slots[place])]);
@@ -70,7 +69,7 @@ void ArrowRoot::SetPrior(const ArrowMessage& message, const std::vector<int>& sl
   prior_ = std::move(prior);
 }
 
-const Eigen::MatrixXd& ArrowRoot::PriorColumns(int block) const {
+const Eigen::MatrixXd& ArrowRoot::PriorColumns(Block block) const {
   const auto found = prior_->columns.find(block);
   if (found != prior_->columns.end()) {
     return found->second;
@@ -80,20 +79,20 @@ const Eigen::MatrixXd& ArrowRoot::PriorColumns(int block) const {
   return prior_->columns[block] = prior_->llt.solve(unit);
 }
 
-void ArrowRoot::SelectPrior(const std::vector<int>& blocks, Eigen::Index size) {
+void ArrowRoot::SelectPrior(const std::vector<Block>& blocks, Eigen::Index size) {
   Prior& p = *prior_;
   if (blocks == p.blocks && p.z_columns.rows() == p.mean.size()) return;
   p.blocks = blocks;
   p.z_columns.resize(p.mean.size(), size);
   Eigen::Index column = 0;
-  for (const int block : blocks) {
+  for (const Block& block : blocks) {
     p.z_columns.middleCols(column, Prior::Width(block)) = PriorColumns(block);
     column += Prior::Width(block);
   }
   Eigen::MatrixXd& covariance = p.z_covariance;
   covariance.resize(size, size);
   Eigen::Index row = 0;
-  for (const int block : blocks) {
+  for (const Block& block : blocks) {
     covariance.middleRows(row, Prior::Width(block)) =
         p.z_columns.middleRows(p.First(block), Prior::Width(block));
     row += Prior::Width(block);
@@ -103,7 +102,7 @@ void ArrowRoot::SelectPrior(const std::vector<int>& blocks, Eigen::Index size) {
 
 void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
   Prior& p = *prior_;
-  std::vector<int> blocks{-1};
+  std::vector<Block> blocks{std::nullopt};
   blocks.insert(blocks.end(), leaf.slots().begin(), leaf.slots().end());
   const auto size = static_cast<Eigen::Index>(6 + 3 * leaf.slots().size());
   SelectPrior(blocks, size);
@@ -113,7 +112,7 @@ void ArrowRoot::Solve(const ArrowLeaf& leaf, const ArrowMessage& message) {
   for (Eigen::Index i = 6; i < size; ++i)
     linearised(i) = leaf.linearised()[static_cast<std::size_t>((i - 6) / 3)]((i - 6) % 3);
   Eigen::Index row = 0;
-  for (const int block : blocks) {
+  for (const Block& block : blocks) {
     prior_change.segment(row, Prior::Width(block)) =
         p.mean.segment(p.First(block), Prior::Width(block));
     row += Prior::Width(block);
@@ -205,7 +204,7 @@ Eigen::MatrixXd ArrowRoot::WholeCovariance() const {
       p.llt.solve(Eigen::MatrixXd::Identity(n, n)) -
       gain * (p.z_covariance - posterior.topLeftCorner(size, size)) * gain.transpose();
   std::vector<Eigen::Index> z;
-  for (const int block : p.blocks) {
+  for (const Block& block : p.blocks) {
     for (int i = 0; i < Prior::Width(block); ++i)
       z.push_back(p.First(block) + i);
   }

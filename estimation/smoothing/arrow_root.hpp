@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,10 +45,11 @@ class ArrowRoot {
 
  private:
   struct Prior;
-  [[nodiscard]] const Eigen::MatrixXd& PriorColumns(int block) const;
-  /// The prior of the anchor (-1) and these other blocks, `size` unknowns together; nothing to do
-  /// while they stay the same.
-  void SelectPrior(const std::vector<int>& blocks, Eigen::Index size);
+  /// A slot of the graph (three columns); nothing: the anchor (six).
+  using Block = std::optional<int>;
+  [[nodiscard]] const Eigen::MatrixXd& PriorColumns(Block block) const;
+  /// The prior of these blocks, `size` unknowns together; nothing to do while they stay the same.
+  void SelectPrior(const std::vector<Block>& blocks, Eigen::Index size);
 
   std::unique_ptr<Prior> prior_;
   std::vector<int> held_;

@@ -39,8 +39,7 @@ ProgressLine::~ProgressLine() {
 }
 
 bool ProgressLine::IsDue(double done) const {
-  if (!is_terminal_)
-    return last_done_ < 0.0 || std::floor(done * 10.0) > std::floor(last_done_ * 10.0);
+  if (!is_terminal_) return !last_done_ || std::floor(done * 10.0) > std::floor(*last_done_ * 10.0);
   return done >= 1.0 || std::chrono::steady_clock::now() - last_time_ >= kRedraw;
 }
 
@@ -61,7 +60,7 @@ std::string ProgressLine::LineFor(double done, const std::string& detail) const 
 }
 
 void ProgressLine::Announce(double done, const std::string& detail) {
-  last_done_ = std::max(last_done_, done);
+  last_done_ = std::max(last_done_.value_or(done), done);
   if (is_terminal_) {
     last_time_ = std::chrono::steady_clock::now();
     fmt::print(out_, "\r\033[K{}", LineFor(done, detail));

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace limpet {
@@ -34,7 +35,7 @@ class ProgressLine {
   std::FILE* out_;
   bool is_terminal_;
   bool has_open_line_ = false;
-  double last_done_ = -1.0;
+  std::optional<double> last_done_;  ///< as last announced
   std::chrono::steady_clock::time_point last_time_{};
 };
 

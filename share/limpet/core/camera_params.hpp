@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -23,8 +24,8 @@ struct CameraParams {
   int height_px = 480;
   Eigen::Vector3d p_BC = Eigen::Vector3d::Zero();
   Radians tilt{0.0};
-  double fx_px = 0.0, fy_px = 0.0, cx_px = 0.0, cy_px = 0.0;  ///< 0: as the angles and sizes say
-  std::array<double, 5> distortion{};                         ///< k1, k2, p1, p2, k3
+  std::optional<double> fx_px{}, fy_px{}, cx_px{}, cy_px{};  ///< else as angles and sizes say
+  std::array<double, 5> distortion{};                        ///< k1, k2, p1, p2, k3
 
   template <class V>
   void Describe(V& visit) {
@@ -42,14 +43,19 @@ struct CameraParams {
           "How far it looks ahead of straight down; below 0: astern. The planner takes the image "
           "to lie straight below",
           InRange(-180.0_deg, 180.0_deg));
-    visit("camera_fx_px", fx_px, "Focal length across [px]; 0: what the field of view makes it",
-          InRange(0.0, 50000.0));
-    visit("camera_fy_px", fy_px, "Focal length along [px]; 0: what the field of view makes it",
-          InRange(0.0, 50000.0));
-    visit("camera_cx_px", cx_px, "Where its axis meets the image, from the left [px]; 0: middle",
-          InRange(0.0, 4096.0));
-    visit("camera_cy_px", cy_px, "Where its axis meets the image, from above [px]; 0: middle",
-          InRange(0.0, 4096.0));
+    const auto calibrated = [&visit](const char* name, std::optional<double>& field,
+                                     const char* help, double most) {
+      visit.Number(name, field.value_or(0.0), help, InRange(0.0, most),
+                   [&field](double px) { field = px > 0.0 ? std::optional(px) : std::nullopt; });
+    };
+    calibrated("camera_fx_px", fx_px,
+               "Focal length across [px]; 0: what the field of view makes it", 50000.0);
+    calibrated("camera_fy_px", fy_px, "Focal length along [px]; 0: what the field of view makes it",
+               50000.0);
+    calibrated("camera_cx_px", cx_px,
+               "Where its axis meets the image, from the left [px]; 0: middle", 4096.0);
+    calibrated("camera_cy_px", cy_px, "Where its axis meets the image, from above [px]; 0: middle",
+               4096.0);
     visit("camera_distortion", distortion, "[k1, k2, p1, p2, k3]",
           "Of its lens, radial and tangential, as OpenCV and MRPT calibrate it",
           InRange(-10.0, 10.0));
@@ -62,10 +68,10 @@ struct CameraParams {
     if (tilt != Radians(0.0)) {
       camera.R_BC = RotationFromRollPitchYaw(0.0, tilt.value(), 0.0) * camera.R_BC;
     }
-    if (fx_px > 0.0) camera.fx = fx_px;
-    if (fy_px > 0.0) camera.fy = fy_px;
-    if (cx_px > 0.0) camera.cx = cx_px;
-    if (cy_px > 0.0) camera.cy = cy_px;
+    camera.fx = fx_px.value_or(camera.fx);
+    camera.fy = fy_px.value_or(camera.fy);
+    camera.cx = cx_px.value_or(camera.cx);
+    camera.cy = cy_px.value_or(camera.cy);
     return camera;
   }
   [[nodiscard]] LensDistortion lens_distortion() const {

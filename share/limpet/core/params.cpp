@@ -105,6 +105,11 @@ void ParamCollector::DeclareNumber(const char* name, const char* unit, double de
   Add(std::move(spec));
 }
 
+void ParamCollector::Number(const char* name, double default_value, const char* help,
+                            Range<double> range, std::function<void(double)> store) {
+  DeclareNumber(name, "", default_value, help, range, std::move(store));
+}
+
 void ParamCollector::operator()(const char* name, double& field, const char* help,
                                 Range<double> range) {
   DeclareNumber(name, "", field, help, range, [&field](double value) { field = value; });

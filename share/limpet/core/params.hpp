@@ -82,6 +82,10 @@ class ParamCollector {
   void Choice(const char* name, std::string& field, const char* help,
               std::vector<std::string> choices);
 
+  /// A number that is kept in another form than blocks give it in, e.g. one below 0 as nothing:
+  /// `store` does that. `default_value` is as in a block.
+  void Number(const char* name, double default_value, const char* help, Range<double> range,
+              std::function<void(double)> store);
   /// A text of a form of its own, e.g. `x,y:x,y` as `form`: `store` says whether it could be read.
   void Parsed(const char* name, const char* form, const char* help, const char* default_text,
               std::function<bool(std::string_view)> store);

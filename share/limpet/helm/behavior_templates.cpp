@@ -8,11 +8,11 @@
 namespace limpet {
 
 void BehaviorTemplates::Add(const ConfigBlock& block, const CommonSettings& settings) {
-  constexpr int kNoLimit = -1;
+  const int most = settings.max_spawnings;
   templates_.push_back({.block = block,
                         .name = settings.name,
                         .variable = settings.updates_variable,
-                        .left = settings.max_spawnings > 0 ? settings.max_spawnings : kNoLimit});
+                        .left = most > 0 ? std::optional(most) : std::nullopt});
 }
 
 std::vector<SpawnRequest> BehaviorTemplates::RequestsOf(std::string_view variable,
@@ -34,7 +34,7 @@ std::vector<SpawnRequest> BehaviorTemplates::RequestsOf(std::string_view variabl
     }
     PutInto(block, {"name", made_from.name + *update.name, {.file = made_from.variable, .line = 0}},
             false);
-    made_from.left -= made_from.left > 0 ? 1 : 0;
+    if (made_from.left) --*made_from.left;
     requests.push_back({.block = std::move(block), .base_name = made_from.name});
   }
   return requests;

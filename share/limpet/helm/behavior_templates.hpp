@@ -35,7 +35,7 @@ class BehaviorTemplates {
   struct Template {
     ConfigBlock block;
     std::string name, variable;
-    int left = 0;  ///< spawnings left; below zero: no limit
+    std::optional<int> left;  ///< spawnings; nothing: no limit
   };
   std::vector<Template> templates_;
 };

@@ -65,11 +65,11 @@ std::optional<ConfigEntry> ValueFor(const FactTaker& taker,
   const auto entry = std::ranges::find(entries, taker.fact, &ConfigEntry::key);
   if (entry == entries.end()) return std::nullopt;
   std::string text = entry->value;
-  if (taker.part >= 0) {
+  if (taker.part) {
     std::erase_if(text, [](char letter) { return letter == '[' || letter == ']'; });
     const std::vector<std::string> parts = Split(text, ',');
-    if (static_cast<std::size_t>(taker.part) >= parts.size()) return std::nullopt;
-    text = std::string(Trim(parts[static_cast<std::size_t>(taker.part)]));
+    if (*taker.part >= parts.size()) return std::nullopt;
+    text = std::string(Trim(parts[*taker.part]));
   }
   return ConfigEntry{taker.key, text, entry->where};
 }

@@ -3,7 +3,9 @@
 // it, of the detector that it uses.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +22,8 @@ inline constexpr const char* kBasedOn = "based_on";
 struct FactTaker {
   const char* owner;  ///< process
   const char* key;
-  const char* fact;  ///< `section.key` of the file
-  int part = -1;     ///< of a list there: which element; -1: all of it
+  const char* fact;                   ///< `section.key` of the file
+  std::optional<std::size_t> part{};  ///< of a list there: which element; nothing: all of it
   /// The app reads the file itself; its block may say it only as the file does.
   bool is_former = false;
 };

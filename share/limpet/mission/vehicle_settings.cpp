@@ -23,14 +23,15 @@ std::vector<FactTaker> MakeTakers() {
   takers.push_back({"uSimCamera", "latency_s", "camera.latency_s"});
   takers.push_back({"pMap", "dvl_yaw_deg", "dvl.yaw_deg"});
   takers.push_back({"pMap", "dvl_beam_angle_deg", "dvl.beam_angle_deg"});
-  const auto former = [&takers](const char* key, const char* vehicle_key, int part) {
+  const auto former = [&takers](const char* key, const char* vehicle_key,
+                                std::optional<std::size_t> part = {}) {
     takers.push_back({"pNav", key, vehicle_key, part, true});
   };
-  former("heading_sigma_deg", "imu.heading_sigma_deg", -1);
+  former("heading_sigma_deg", "imu.heading_sigma_deg");
   former("dvl_x_m", "dvl.at_m", 0);
   former("dvl_y_m", "dvl.at_m", 1);
   former("dvl_z_m", "dvl.at_m", 2);
-  former("top_speed_mps", "hull.top_speed_mps", -1);
+  former("top_speed_mps", "hull.top_speed_mps");
   takers.push_back({"pNodeReporter", "platform_length", "hull.length_m"});
   takers.push_back({"pNodeReporter", "vessel_length", "hull.length_m"});
   return takers;

@@ -28,9 +28,9 @@ constexpr double kOtherYaw = std::numbers::pi / 6.0;
 
 struct Node {
   Pose2 pose;
-  int parent = -1;
+  int parent = 0;  ///< of the first node, the root, nobody asks
   double curvature = 0.0;
-  int opening = -1;             ///< index of the first motion
+  int opening = 0;              ///< index of the first motion; the root has none
   Pose2 stem{};                 ///< after the first kStemLength, or as far as it has come
   bool is_alternative = false;  ///< kept for its stem: the search for the best ignores it
   double value = 0.0;

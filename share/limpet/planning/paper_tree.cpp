@@ -14,7 +14,7 @@ constexpr double kShortestEdge = 1.0;
 
 struct View {
   DubinsPath edge;  ///< from the parent; its end is the view
-  int parent = -1;
+  int parent = 0;   ///< of the first view, the root, nobody asks
 };
 
 class Tree {

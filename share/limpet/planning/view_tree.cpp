@@ -12,8 +12,8 @@ namespace limpet {
 namespace {
 
 struct View {
-  DubinsPath edge;  ///< from the parent; its end is the view
-  int parent = -1;
+  DubinsPath edge;                             ///< from the parent; its end is the view
+  int parent = 0;                              ///< of the first view, the root, nobody asks
   double value = 0.0;                          ///< objective of the whole branch up to here [m]
   double length = 0.0;                         ///< of the whole branch [m]
   std::vector<SeenWorkspace::Change> changes;  ///< what the edge shows beyond its ancestors
@@ -83,8 +83,9 @@ class Tree {
     return branch;
   }
 
+  /// REQUIRES: a candidate that is not the root.
   [[nodiscard]] bool IsAncestor(int candidate, int of) const {
-    for (int i = of; i >= 0; i = At(i).parent) {
+    for (int i = of; i > 0; i = At(i).parent) {
       if (i == candidate) {
         return true;
       }

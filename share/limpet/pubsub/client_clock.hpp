@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "limpet/core/long_ago.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/wire/wire_message.hpp"
 
@@ -45,7 +46,6 @@ class ClientClock {
   std::atomic<double> skew_{0.0};  ///< broker's MOOS time less ours [s]
   std::atomic<double> disagreement_{0.0};
   mutable std::atomic<double> latest_{kLongAgo};  ///< that Now() has said
-  static constexpr double kLongAgo = -1e300;
   bool corrects_ = false, is_set_ = false;
 };
 

@@ -153,7 +153,7 @@ class RayEdge {
     const double total = std::accumulate(profile_.begin(), profile_.begin() + count, 0.0);
     const int margin = std::max(2, count / 10);
     double best = 0.0;
-    int best_split = -1;
+    int best_split = 0;
     double inner = std::accumulate(profile_.begin(), profile_.begin() + margin - 1, 0.0);
     for (int split = margin; split <= count - margin; ++split) {
       inner += profile_[static_cast<std::size_t>(split - 1)];
@@ -165,7 +165,7 @@ class RayEdge {
         best_split = split;
       }
     }
-    if (best_split < 0) {
+    if (best <= 0.0) {
       return std::nullopt;
     }
     const double drop = std::sqrt(best / best_split / (count - best_split));

@@ -44,6 +44,23 @@ TEST(CameraParams, RefusesAnAngleThatNoPinholeHas) {
   EXPECT_THROW(static_cast<void>(ReadParams<CameraParams>(block)), ConfigError);
 }
 
+TEST(CameraParams, ZeroLeavesTheLensToTheFieldOfView) {
+  ConfigBlock block;
+  block.entries = {{"camera_fov_across_deg", "60", {}}, {"camera_fov_along_deg", "45", {}},
+                   {"camera_width_px", "320", {}},      {"camera_height_px", "240", {}},
+                   {"camera_fx_px", "0", {}},           {"camera_fy_px", "310.5", {}},
+                   {"camera_cx_px", "150", {}},         {"camera_cy_px", "0", {}}};
+  const auto params = ReadParams<CameraParams>(block);
+  EXPECT_EQ(params.fx_px, std::nullopt);
+  const CameraModel camera = params.pinhole();
+  EXPECT_EQ(camera.fx, CameraModel::FromFieldOfView(320, 240, params.fov_across.value(),
+                                                    params.fov_along.value())
+                           .fx);
+  EXPECT_EQ(camera.fy, 310.5);
+  EXPECT_EQ(camera.cx, 150.0);
+  EXPECT_EQ(camera.cy, 120.0);
+}
+
 TEST(CameraParams, ATiltedCameraLooksAheadFromItsPlace) {
   CameraParams params;
   params.tilt = Radians::FromTextUnit(30.0);
