@@ -221,8 +221,9 @@ void SurveyApp::OnCoverage(const Stamped<Coverage>& coverage) {
 
 void SurveyApp::OnLook(const Stamped<MapLook>& look) {
   const LookModel model = ToLookModel(look.value);
-  footprint_.emplace(params_.altitude.value(), params_.object_height_max.value(), model.camera,
-                     HalfRange(model.detection));
+  footprint_.emplace(SurveyHeights{.altitude = params_.altitude.value(),
+                                   .object_height_max = params_.object_height_max.value()},
+                     model.camera, HalfRange(model.detection));
 }
 
 double SurveyApp::AttainableShare() const {

@@ -42,8 +42,8 @@ double LookalikeNow(double lambda_former, const StatusPriors& priors) {
 
 }  // namespace
 
-StatusPosterior ChangeStatus(double lambda_former, double lambda_now, const StatusPriors& priors) {
-  return Weigh(lambda_former, {.present = lambda_now}, priors);
+StatusPosterior ChangeStatus(const SessionLambdas& lambda, const StatusPriors& priors) {
+  return Weigh(lambda.former, {.present = lambda.now}, priors);
 }
 
 StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors) {

@@ -36,10 +36,15 @@ struct StatusPriors {
   }
 };
 
+/// Lambda of a place in both sessions.
+struct SessionLambdas {
+  double former = 0.0, now = 0.0;
+};
+
 /// Change session: weights C: pi s e^(Ld+Lc), R: pi (1-s) e^Ld, N: (1-pi) a e^Lc,
-/// nothing: (1-pi)(1-a); Ld, Lc: Lambda of the former and of this session, where nothing here looks
-/// like an object.
-[[nodiscard]] StatusPosterior ChangeStatus(double lambda_former, double lambda_now,
+/// nothing: (1-pi)(1-a); Ld, Lc: `lambda` of the former and of this session, where nothing here
+/// looks like an object.
+[[nodiscard]] StatusPosterior ChangeStatus(const SessionLambdas& lambda,
                                            const StatusPriors& priors);
 /// Discovery session: an object is there (appeared) or not (nothing).
 [[nodiscard]] StatusPosterior DiscoveryStatus(double lambda_now, const StatusPriors& priors);

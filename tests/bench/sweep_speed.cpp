@@ -90,7 +90,7 @@ Rates Sweep(Workspace& workspace, const SurveyArea& area, double bytes, Value va
 struct Site {
   SurveyArea area;
   SurveyGrid grid{area};
-  Footprint image{4.0, area.object_height_max, CameraModel{}};
+  Footprint image{{.altitude = 4.0, .object_height_max = area.object_height_max}, CameraModel{}};
   Ground ground{grid, image};
 };
 

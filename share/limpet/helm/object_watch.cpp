@@ -33,7 +33,7 @@ std::optional<LookWindow> ObjectWatch::WindowOf(const OpiBelief& belief,
       std::sqrt(std::max(0.0, 0.5 * (belief.object.cov_W(0, 0) + belief.object.cov_W(1, 1))));
   LookModel model = *model_;
   model.object_radius = belief.object.RadiusOr(model.object_radius);
-  return LookWindowAbove(model, drop, allowance_ + place_sigma);
+  return LookWindowAbove(model, {.drop = drop, .slack = allowance_ + place_sigma});
 }
 
 std::vector<WatchedObject> ObjectWatch::Objects(const SurveyGrid* grid,

@@ -18,10 +18,11 @@ Target TargetOf(const WatchedObject& object, double value = 0.0) {
 
 }  // namespace
 
-double ExpectedEntropyDrop(const StatusPosterior& now, double detection, double false_alarm) {
+double ExpectedEntropyDrop(const StatusPosterior& now, const PresenceLikelihood& detection) {
+  const PresenceLikelihood miss{.if_present = 1.0 - detection.if_present,
+                                .if_absent = 1.0 - detection.if_absent};
   double expected = 0.0;
-  for (const StatusPosterior& outcome :
-       {now.Times(detection, false_alarm), now.Times(1.0 - detection, 1.0 - false_alarm)}) {
+  for (const StatusPosterior& outcome : {now.Times(detection), now.Times(miss)}) {
     expected += outcome.sum() * outcome.Normalized().Entropy();
   }
   return std::max(0.0, now.Entropy() - expected);
@@ -39,9 +40,10 @@ RevisitInterest RevisitPolicy::InterestIn(const WatchedObject& object, const Sit
   } else if (!object.window || !CanBeLookedAt(TargetOf(object), *now.region, now.turn_radius)) {
     interest.state = "out_of_reach";
   } else {
-    interest.worth = params_.metres_per_nat * std::pow(params_.fruitless_decay, object.fruitless) *
-                     ExpectedEntropyDrop(belief.posterior, params_.detection_probability,
-                                         params_.false_alarm_probability);
+    interest.worth =
+        params_.metres_per_nat * std::pow(params_.fruitless_decay, object.fruitless) *
+        ExpectedEntropyDrop(belief.posterior, {.if_present = params_.detection_probability,
+                                               .if_absent = params_.false_alarm_probability});
   }
   return interest;
 }

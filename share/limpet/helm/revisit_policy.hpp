@@ -54,8 +54,9 @@ class RevisitPolicy {
   Params params_;
 };
 
-/// Expected drop of the entropy of `posterior` [nats] from one look with the given rates.
-[[nodiscard]] double ExpectedEntropyDrop(const StatusPosterior& posterior, double detection,
-                                         double false_alarm);
+/// Expected drop of the entropy of `posterior` [nats] from one look, which detects an object with
+/// these chances.
+[[nodiscard]] double ExpectedEntropyDrop(const StatusPosterior& posterior,
+                                         const PresenceLikelihood& detection);
 
 }  // namespace limpet

@@ -101,8 +101,9 @@ void SurveyMirror::NoteChoice(const Option& option) {
 }
 
 Footprint SurveyMirror::FootprintNow() const {
-  Footprint footprint(params_.survey_altitude.value(), area_->object_height_max,
-                      params_.camera.geometry(), reach_);
+  Footprint footprint(
+      {.altitude = params_.survey_altitude.value(), .object_height_max = area_->object_height_max},
+      params_.camera.geometry(), reach_);
   footprint.DrawIn(seam_allowance_);
   return footprint;
 }

@@ -12,11 +12,11 @@ double StatusPosterior::Entropy() const {
   return MinusPLogP(confirmed) + MinusPLogP(removed) + MinusPLogP(appeared) + MinusPLogP(nothing);
 }
 
-StatusPosterior StatusPosterior::Times(double if_present, double if_absent) const {
-  return {.confirmed = confirmed * if_present,
-          .removed = removed * if_absent,
-          .appeared = appeared * if_present,
-          .nothing = nothing * if_absent};
+StatusPosterior StatusPosterior::Times(const PresenceLikelihood& observation) const {
+  return {.confirmed = confirmed * observation.if_present,
+          .removed = removed * observation.if_absent,
+          .appeared = appeared * observation.if_present,
+          .nothing = nothing * observation.if_absent};
 }
 
 void StatusPosterior::Add(const StatusPosterior& other, double probability) {

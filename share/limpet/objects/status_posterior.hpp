@@ -6,6 +6,11 @@
 
 namespace limpet {
 
+/// How likely an observation is if an object is there now, and if none is.
+struct PresenceLikelihood {
+  double if_present = 0.0, if_absent = 0.0;
+};
+
 /// What became of a place from the former session to this one, as probabilities that sum to one
 /// (docs/references.md). In a discovery session only `appeared` and `nothing` are non-zero and mean
 /// "is there" and "is not".
@@ -16,9 +21,9 @@ struct StatusPosterior {
   [[nodiscard]] double present() const { return confirmed + appeared; }
   [[nodiscard]] double Entropy() const;  ///< [nats]
   [[nodiscard]] double sum() const { return confirmed + removed + appeared + nothing; }
-  /// Each times the likelihood of an observation if an object is there now, and if none is: the
-  /// joint probabilities, whose sum is that of the observation.
-  [[nodiscard]] StatusPosterior Times(double if_present, double if_absent) const;
+  /// Each times the likelihood of an observation: the joint probabilities, whose sum is that of the
+  /// observation.
+  [[nodiscard]] StatusPosterior Times(const PresenceLikelihood& observation) const;
   /// Adds what holds with this probability.
   void Add(const StatusPosterior& other, double probability);
   /// Scaled so that they sum to one; all zero stays so.

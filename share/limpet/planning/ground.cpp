@@ -37,16 +37,16 @@ GridFrame FrameOf(GridFrame frame, const CellBox& window, int cells_per_side) {
 
 }  // namespace
 
-Footprint::Footprint(double altitude, double object_height_max, const CameraModel& camera,
-                     double reach) {
+Footprint::Footprint(const SurveyHeights& heights, const CameraModel& camera, double reach) {
   const double across = camera.half_across();
   const double along = camera.half_along();
   double scale = 1.0;
   for (int layer = 0; layer < kLayers; ++layer) {
     const std::size_t k = Slot(layer);
-    height_[k] = std::max(0.0, object_height_max) * layer / (kLayers - 1);
-    const double inset = layer == 0 || object_height_max <= 0.0 ? 0.0 : SurveyGrid::kDiscInset;
-    const double distance = std::max(0.0, altitude - height_[k]);
+    height_[k] = std::max(0.0, heights.object_height_max) * layer / (kLayers - 1);
+    const double inset =
+        layer == 0 || heights.object_height_max <= 0.0 ? 0.0 : SurveyGrid::kDiscInset;
+    const double distance = std::max(0.0, heights.altitude - height_[k]);
     across_[k] = std::max(0.0, distance * across - inset);
     along_[k] = std::max(0.0, distance * along - inset);
     const double share = ShareInSight({distance, std::hypot(across_[k], along_[k])}, reach);

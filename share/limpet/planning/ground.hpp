@@ -15,6 +15,12 @@
 
 namespace limpet {
 
+/// Of a survey, above the seabed [m].
+struct SurveyHeights {
+  double altitude = 0.0;           ///< of the camera
+  double object_height_max = 0.0;  ///< top of the band that is looked through
+};
+
 /// What a level camera at survey altitude shows: half extents of the image at each layer of the
 /// band, from the bottom up. Where the water hides a layer's corners, of it and of all above it as
 /// much of the image counts as is in sight, so that layers nest. A layer of which too little is in
@@ -25,7 +31,7 @@ class Footprint {
   static constexpr int kTop = kLayers - 1;
   /// Heights of the layers above the seabed [m]: k/3 of the band; all 0 if the band is. `reach`:
   /// how far one sees [m].
-  Footprint(double altitude, double object_height_max, const CameraModel& camera,
+  Footprint(const SurveyHeights& heights, const CameraModel& camera,
             double reach = std::numeric_limits<double>::infinity());
 
   /// Images count as this much smaller on every side [m].

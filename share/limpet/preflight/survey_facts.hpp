@@ -25,7 +25,9 @@ struct SurveyFacts {
 
   [[nodiscard]] double north_extent() const { return area.north_max - area.north_min; }
   [[nodiscard]] double east_extent() const { return area.east_max - area.east_min; }
-  [[nodiscard]] Footprint footprint() const { return {altitude.number(), band.number(), camera}; }
+  [[nodiscard]] Footprint footprint() const {
+    return {{.altitude = altitude.number(), .object_height_max = band.number()}, camera};
+  }
   /// Where the area is said: its line, or that of its northern edge.
   [[nodiscard]] const Setting& area_line() const {
     return outline.is_default ? north_max : outline;

@@ -41,9 +41,10 @@ DubinsPath WayIn(const LaneSurvey& survey) {
 }
 
 std::vector<FlownTour> BestLanes(const LaneSurvey& survey, const ReportSettings& settings) {
-  const Ground ground(
-      SurveyGrid(survey.area),
-      Footprint(settings.altitude_m, survey.area.object_height_max, settings.camera_geometry));
+  const Ground ground(SurveyGrid(survey.area),
+                      Footprint({.altitude = settings.altitude_m,
+                                 .object_height_max = survey.area.object_height_max},
+                                settings.camera_geometry));
   const DubinsPath way_in = WayIn(survey);
   TourJudge judge(ground, survey.region, survey.turn_radius);
   judge.Reset(way_in, {.finish_share = kPlannedShare,

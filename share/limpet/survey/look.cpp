@@ -35,7 +35,8 @@ PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB, const Ei
          SizeFactor(model.detection, SizeInImage(model, range));
 }
 
-std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, double slack) {
+std::optional<LookWindow> LookWindowAbove(const LookModel& model, const PlaceBelow& place) {
+  const double drop = place.drop;
   const double along = drop * model.camera.half_along();
   const double across = drop * model.camera.half_across();
   // The chance falls towards the corners; so where the corners are looked at, all within them is.
@@ -58,7 +59,7 @@ std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop, d
     const double middle = 0.5 * (inside + outside);
     (is_look(middle) ? inside : outside) = middle;
   }
-  const auto narrowed = [slack](double half) {
+  const auto narrowed = [slack = place.slack](double half) {
     return std::max(half - slack, (1.0 - kMostSlackShare) * half);
   };
   return LookWindow{.half_along = narrowed(inside * along),

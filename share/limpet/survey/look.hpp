@@ -39,11 +39,16 @@ struct LookWindow {
     return std::abs(ahead) <= half_along && std::abs(starboard) <= half_across;
   }
 };
-/// The window of a camera `drop` metres above a place. A place in it that lies up to `slack` metres
-/// elsewhere is still looked at, as far as that leaves a window of some size. Nothing if even right
-/// below the camera the place would not be seen.
-[[nodiscard]] std::optional<LookWindow> LookWindowAbove(const LookModel& model, double drop,
-                                                        double slack);
+/// A place as a look at it is planned.
+struct PlaceBelow {
+  double drop = 0.0;   ///< below the camera [m]
+  double slack = 0.0;  ///< how far elsewhere it may lie, level [m]
+};
+/// The window of a camera above a place. If that lies elsewhere by its slack, a place in the window
+/// is still looked at, as far as that leaves a window of some size. Nothing if even right below the
+/// camera the place would not be seen.
+[[nodiscard]] std::optional<LookWindow> LookWindowAbove(const LookModel& model,
+                                                        const PlaceBelow& place);
 
 /// The model as MAP_LOOK carries it, and back: of a camera that looks straight down from the body's
 /// origin, for where it is mounted MAP_LOOK does not say.

@@ -53,7 +53,10 @@ class Flight {
         region_(study.area),
         random_(seed, "study"),
         grid_(study.area),
-        ground_(grid_, Footprint(study.altitude, study.area.object_height_max, camera_),
+        ground_(grid_,
+                Footprint(
+                    {.altitude = study.altitude, .object_height_max = study.area.object_height_max},
+                    camera_),
                 Weights(study.bottom_weight)),
         sight_(ground_),
         scorer_(study.area, study.altitude, camera_, random_),

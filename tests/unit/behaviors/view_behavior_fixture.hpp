@@ -40,7 +40,7 @@ class ViewBehaviorTest : public ::testing::Test {
 
   SurveyArea area_{-40.0, 40.0, -40.0, 40.0, 2.0, 2.0};
   SurveyGrid grid_{area_};
-  Ground ground_{grid_, Footprint(4.0, 2.0, CameraModel{})};
+  Ground ground_{grid_, Footprint({.altitude = 4.0, .object_height_max = 2.0}, CameraModel{})};
   Region region_{area_};
   Situation now_;
   Option option_;

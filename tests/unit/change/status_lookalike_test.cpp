@@ -72,7 +72,8 @@ TEST_P(LookalikeStatus, WhereNothingLooksLikeAnObjectItIsThePlainRule) {
   for (int i = 0; i < 50; ++i) {
     Seen seen = DrawSeen(random_);
     seen.priors.lookalike = 1e-300;
-    const StatusPosterior plain = ChangeStatus(seen.former, seen.present, seen.priors);
+    const StatusPosterior plain =
+        ChangeStatus({.former = seen.former, .now = seen.present}, seen.priors);
     const StatusPosterior got = Posterior(seen);
     EXPECT_NEAR(got.confirmed, plain.confirmed, 1e-9);
     EXPECT_NEAR(got.removed, plain.removed, 1e-9);

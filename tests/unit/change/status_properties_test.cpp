@@ -49,7 +49,7 @@ TEST_F(ChangeProperties, ThePosteriorIsBayesRuleOverThePresenceInBothSessions) {
         total += joint[was][is];
       }
     }
-    const StatusPosterior p = ChangeStatus(c.former, c.now, c.priors);
+    const StatusPosterior p = ChangeStatus({.former = c.former, .now = c.now}, c.priors);
     EXPECT_NEAR(p.confirmed, joint[1][1] / total, 1e-12);
     EXPECT_NEAR(p.removed, joint[1][0] / total, 1e-12);
     EXPECT_NEAR(p.appeared, joint[0][1] / total, 1e-12);
@@ -60,7 +60,7 @@ TEST_F(ChangeProperties, ThePosteriorIsBayesRuleOverThePresenceInBothSessions) {
 
 TEST_F(ChangeProperties, NoEvidenceLeavesThePriors) {
   ForAll([](const Case& c) {
-    const StatusPosterior p = ChangeStatus(0.0, 0.0, c.priors);
+    const StatusPosterior p = ChangeStatus({.former = 0.0, .now = 0.0}, c.priors);
     EXPECT_NEAR(p.confirmed + p.removed, c.priors.presence, 1e-12);
     EXPECT_NEAR(p.confirmed, c.priors.presence * c.priors.survival, 1e-12);
     EXPECT_NEAR(p.appeared, (1.0 - c.priors.presence) * c.priors.appearance, 1e-12);
@@ -69,8 +69,8 @@ TEST_F(ChangeProperties, NoEvidenceLeavesThePriors) {
 
 TEST_F(ChangeProperties, MoreEvidenceOfPresenceNowNeverMakesPresenceLessLikely) {
   ForAll([](const Case& c) {
-    const StatusPosterior less = ChangeStatus(c.former, c.now, c.priors);
-    const StatusPosterior more = ChangeStatus(c.former, c.now + 0.5, c.priors);
+    const StatusPosterior less = ChangeStatus({.former = c.former, .now = c.now}, c.priors);
+    const StatusPosterior more = ChangeStatus({.former = c.former, .now = c.now + 0.5}, c.priors);
     EXPECT_GT(more.present(), less.present() - 1e-12);
     EXPECT_LT(more.removed, less.removed + 1e-12);
     EXPECT_LT(more.nothing, less.nothing + 1e-12);
@@ -79,8 +79,8 @@ TEST_F(ChangeProperties, MoreEvidenceOfPresenceNowNeverMakesPresenceLessLikely) 
 
 TEST_F(ChangeProperties, MoreEvidenceOfFormerPresenceNeverMakesItLessLikely) {
   ForAll([](const Case& c) {
-    const StatusPosterior less = ChangeStatus(c.former, c.now, c.priors);
-    const StatusPosterior more = ChangeStatus(c.former + 0.5, c.now, c.priors);
+    const StatusPosterior less = ChangeStatus({.former = c.former, .now = c.now}, c.priors);
+    const StatusPosterior more = ChangeStatus({.former = c.former + 0.5, .now = c.now}, c.priors);
     EXPECT_GT(more.confirmed + more.removed, less.confirmed + less.removed - 1e-12);
     EXPECT_LT(more.appeared, less.appeared + 1e-12);
   });
@@ -89,7 +89,7 @@ TEST_F(ChangeProperties, MoreEvidenceOfFormerPresenceNeverMakesItLessLikely) {
 TEST_F(ChangeProperties, EvidenceMovesLogOddsByJustAsMuch) {
   ForAll([](const Case& c) {
     const auto odds = [&](double former, double now) {
-      const StatusPosterior p = ChangeStatus(former, now, c.priors);
+      const StatusPosterior p = ChangeStatus({.former = former, .now = now}, c.priors);
       return std::vector<double>{std::log(p.confirmed / p.removed),
                                  std::log(p.confirmed / p.appeared),
                                  std::log(p.appeared / p.nothing)};
@@ -111,7 +111,7 @@ TEST_F(ChangeProperties, WithoutAFormerSessionItIsADiscovery) {
     none_before.presence = 1e-12;
     StatusPriors as_new = c.priors;
     as_new.presence = c.priors.appearance;
-    EXPECT_NEAR(ChangeStatus(0.0, c.now, none_before).appeared,
+    EXPECT_NEAR(ChangeStatus({.former = 0.0, .now = c.now}, none_before).appeared,
                 DiscoveryStatus(c.now, as_new).appeared, 1e-9);
   });
 }
@@ -121,8 +121,8 @@ TEST_F(ChangeProperties, SessionsCountAlikeWhereAppearingIsAsLikelyAsGoing) {
   ForAll([](const Case& c) {
     StatusPriors balanced = c.priors;
     balanced.appearance = c.priors.presence * (1.0 - c.priors.survival) / (1.0 - c.priors.presence);
-    const StatusPosterior ahead = ChangeStatus(c.former, c.now, balanced);
-    const StatusPosterior back = ChangeStatus(c.now, c.former, balanced);
+    const StatusPosterior ahead = ChangeStatus({.former = c.former, .now = c.now}, balanced);
+    const StatusPosterior back = ChangeStatus({.former = c.now, .now = c.former}, balanced);
     EXPECT_NEAR(ahead.confirmed, back.confirmed, 1e-12);
     EXPECT_NEAR(ahead.removed, back.appeared, 1e-12);
     EXPECT_NEAR(ahead.nothing, back.nothing, 1e-12);
@@ -131,7 +131,7 @@ TEST_F(ChangeProperties, SessionsCountAlikeWhereAppearingIsAsLikelyAsGoing) {
 
 TEST_F(ChangeProperties, TheEntropyIsThatOfTheFourAndAtMostThatOfEqualChances) {
   ForAll([](const Case& c) {
-    const StatusPosterior p = ChangeStatus(c.former, c.now, c.priors);
+    const StatusPosterior p = ChangeStatus({.former = c.former, .now = c.now}, c.priors);
     double entropy = 0.0;
     for (const double share : {p.confirmed, p.removed, p.appeared, p.nothing})
       entropy -= share > 0.0 ? share * std::log(share) : 0.0;
@@ -143,7 +143,7 @@ TEST_F(ChangeProperties, TheEntropyIsThatOfTheFourAndAtMostThatOfEqualChances) {
 
 TEST_F(ChangeProperties, ADecisionIsTheStatusThatReachesTheThresholdAndNoOther) {
   ForAll([](const Case& c) {
-    const StatusPosterior p = ChangeStatus(c.former, c.now, c.priors);
+    const StatusPosterior p = ChangeStatus({.former = c.former, .now = c.now}, c.priors);
     const Status expected = p.confirmed >= 0.9  ? Status::kConfirmed
                             : p.removed >= 0.9  ? Status::kRemoved
                             : p.appeared >= 0.9 ? Status::kNew

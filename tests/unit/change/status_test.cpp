@@ -13,7 +13,7 @@ const StatusPriors kPriors;
 TEST(ChangeStatus, SumsToOneForAnyEvidence) {
   for (double former = -800.0; former <= 800.0; former += 100.0) {
     for (double now = -800.0; now <= 800.0; now += 100.0) {
-      const StatusPosterior p = ChangeStatus(former, now, kPriors);
+      const StatusPosterior p = ChangeStatus({.former = former, .now = now}, kPriors);
       EXPECT_NEAR(p.confirmed + p.removed + p.appeared + p.nothing, 1.0, 1e-12);
       EXPECT_TRUE(std::isfinite(p.Entropy()));
     }
@@ -22,7 +22,7 @@ TEST(ChangeStatus, SumsToOneForAnyEvidence) {
 
 TEST(ChangeStatus, MatchesAHandComputedCase) {
   const StatusPriors priors{.presence = 0.2, .survival = 0.5, .appearance = 0.1, .decide_at = 0.9};
-  const StatusPosterior p = ChangeStatus(std::log(9.0), std::log(0.1), priors);
+  const StatusPosterior p = ChangeStatus({.former = std::log(9.0), .now = std::log(0.1)}, priors);
   // C 0.2*0.5*0.9 = 0.09, R 0.2*0.5*9 = 0.9, N 0.8*0.1*0.1 = 0.008, nothing 0.8*0.9 = 0.72.
   EXPECT_NEAR(p.confirmed, 0.09 / 1.718, 1e-12);
   EXPECT_NEAR(p.removed, 0.9 / 1.718, 1e-12);
@@ -31,23 +31,25 @@ TEST(ChangeStatus, MatchesAHandComputedCase) {
 }
 
 TEST(ChangeStatus, DecidesTheFourCases) {
-  EXPECT_EQ(Decide(ChangeStatus(12, 12, kPriors), 5, kPriors), Status::kConfirmed);
-  EXPECT_EQ(Decide(ChangeStatus(12, -6, kPriors), 5, kPriors), Status::kRemoved);
-  EXPECT_EQ(Decide(ChangeStatus(-6, 12, kPriors), 5, kPriors), Status::kNew);
-  EXPECT_EQ(Decide(ChangeStatus(-6, -6, kPriors), 5, kPriors), Status::kNothing);
+  EXPECT_EQ(Decide(ChangeStatus({.former = 12, .now = 12}, kPriors), 5, kPriors),
+            Status::kConfirmed);
+  EXPECT_EQ(Decide(ChangeStatus({.former = 12, .now = -6}, kPriors), 5, kPriors), Status::kRemoved);
+  EXPECT_EQ(Decide(ChangeStatus({.former = -6, .now = 12}, kPriors), 5, kPriors), Status::kNew);
+  EXPECT_EQ(Decide(ChangeStatus({.former = -6, .now = -6}, kPriors), 5, kPriors), Status::kNothing);
 }
 
 TEST(ChangeStatus, IsNotInspectedWithoutALook) {
   StatusPriors sure_to_stay = kPriors;
   sure_to_stay.survival = 0.99;
-  EXPECT_EQ(Decide(ChangeStatus(12, 0, sure_to_stay), 0, sure_to_stay), Status::kNotInspected);
+  EXPECT_EQ(Decide(ChangeStatus({.former = 12, .now = 0}, sure_to_stay), 0, sure_to_stay),
+            Status::kNotInspected);
 }
 
 TEST(ChangeStatus, TwoCleanPassesSayNinetyNinePercent) {
   // 8.5 and -3.9 are what one clean pass gives with a good detector (LookLog).
-  EXPECT_GT(ChangeStatus(17.0, 17.0, kPriors).confirmed, 0.99);
-  EXPECT_GT(ChangeStatus(17.0, -7.8, kPriors).removed, 0.99);
-  EXPECT_GT(ChangeStatus(-7.8, 17.0, kPriors).appeared, 0.99);
+  EXPECT_GT(ChangeStatus({.former = 17.0, .now = 17.0}, kPriors).confirmed, 0.99);
+  EXPECT_GT(ChangeStatus({.former = 17.0, .now = -7.8}, kPriors).removed, 0.99);
+  EXPECT_GT(ChangeStatus({.former = -7.8, .now = 17.0}, kPriors).appeared, 0.99);
 }
 
 /// A stone that looks like a buoy looks like one in both sessions.
@@ -67,9 +69,9 @@ TEST(ChangeStatus, BoxesOfBothSessionsAreNotTwiceAsSureThatItIsAnObject) {
 }
 
 TEST(ChangeStatus, IsMostUncertainBeforeALook) {
-  const double before = ChangeStatus(12, 0, kPriors).Entropy();
-  EXPECT_GT(before, ChangeStatus(12, 5, kPriors).Entropy());
-  EXPECT_GT(before, ChangeStatus(12, -5, kPriors).Entropy());
+  const double before = ChangeStatus({.former = 12, .now = 0}, kPriors).Entropy();
+  EXPECT_GT(before, ChangeStatus({.former = 12, .now = 5}, kPriors).Entropy());
+  EXPECT_GT(before, ChangeStatus({.former = 12, .now = -5}, kPriors).Entropy());
 }
 
 TEST(DiscoveryStatus, WeighsOnlyPresence) {

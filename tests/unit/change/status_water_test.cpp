@@ -20,7 +20,7 @@ PlaceEvidence Clean(const PerVisibility& lambda) { return {.present = lambda, .l
 TEST(StatusInWater, IsThatOfOneLambdaWhereTheWaterDoesNotMatter) {
   const VisibilityBelief water(Meters(8.0), 2.0);
   for (const double lambda : {-12.0, -1.0, 0.0, 5.0, 20.0}) {
-    const StatusPosterior one = ChangeStatus(8.0, lambda, {});
+    const StatusPosterior one = ChangeStatus({.former = 8.0, .now = lambda}, {});
     const StatusPosterior all = ChangeStatus(8.0, Clean(lambda), water, {});
     EXPECT_NEAR(one.removed, all.removed, 1e-9);
     EXPECT_NEAR(one.confirmed, all.confirmed, 1e-9);

@@ -40,8 +40,8 @@ class RevisitPolicyProperties : public ::testing::TestWithParam<int> {
 TEST_P(RevisitPolicyProperties, ALookIsExpectedToTellNoLessThanNothingAndNoMoreThanAll) {
   for (int i = 0; i < 200; ++i) {
     const StatusPosterior posterior = DrawPosterior(random_);
-    const double drop =
-        ExpectedEntropyDrop(posterior, random_.Uniform(0.5, 0.999), random_.Uniform(0.0001, 0.5));
+    const double drop = ExpectedEntropyDrop(posterior, {.if_present = random_.Uniform(0.5, 0.999),
+                                                        .if_absent = random_.Uniform(0.0001, 0.5)});
     EXPECT_GE(drop, 0.0);
     EXPECT_LE(drop, posterior.Entropy() + 1e-12);
     EXPECT_LE(drop, std::log(2.0) + 1e-12) << "one look has two outcomes";
@@ -51,7 +51,9 @@ TEST_P(RevisitPolicyProperties, ALookIsExpectedToTellNoLessThanNothingAndNoMoreT
 TEST_P(RevisitPolicyProperties, ALookThatSeesTheSameEitherWayTellsNothing) {
   for (int i = 0; i < 50; ++i) {
     const double rate = random_.Uniform(0.05, 0.95);
-    EXPECT_NEAR(ExpectedEntropyDrop(DrawPosterior(random_), rate, rate), 0.0, 1e-12);
+    EXPECT_NEAR(
+        ExpectedEntropyDrop(DrawPosterior(random_), {.if_present = rate, .if_absent = rate}), 0.0,
+        1e-12);
   }
 }
 
@@ -60,7 +62,8 @@ TEST_P(RevisitPolicyProperties, ABetterDetectorTellsMore) {
     const StatusPosterior posterior = DrawPosterior(random_);
     double before = 0.0;
     for (const double detection : {0.5, 0.7, 0.9, 0.99}) {
-      const double drop = ExpectedEntropyDrop(posterior, detection, 0.01);
+      const double drop =
+          ExpectedEntropyDrop(posterior, {.if_present = detection, .if_absent = 0.01});
       EXPECT_GE(drop, before - 1e-12);
       before = drop;
     }
@@ -73,7 +76,8 @@ TEST_P(RevisitPolicyProperties, APerfectDetectorTellsAllThatIsInDoubtOfPresence)
     const double present = posterior.present();
     const double of_presence =
         -present * std::log(present) - (1.0 - present) * std::log(1.0 - present);
-    EXPECT_NEAR(ExpectedEntropyDrop(posterior, 1.0 - 1e-12, 1e-12), of_presence, 1e-6);
+    EXPECT_NEAR(ExpectedEntropyDrop(posterior, {.if_present = 1.0 - 1e-12, .if_absent = 1e-12}),
+                of_presence, 1e-6);
   }
 }
 

@@ -21,8 +21,8 @@ TEST(EntropyDrop, IsNeverBelowZeroNorAboveWhatIsUnknown) {
   Random random(1, "drop");
   for (int run = 0; run < 2000; ++run) {
     const StatusPosterior posterior = RandomPosterior(random);
-    const double drop =
-        ExpectedEntropyDrop(posterior, random.Uniform(0.5, 0.999), random.Uniform(0.0001, 0.5));
+    const double drop = ExpectedEntropyDrop(posterior, {.if_present = random.Uniform(0.5, 0.999),
+                                                        .if_absent = random.Uniform(0.0001, 0.5)});
     EXPECT_GE(drop, 0.0);
     EXPECT_LE(drop, posterior.Entropy() + 1e-12);
   }
@@ -40,14 +40,16 @@ TEST(EntropyDrop, IsThatOfWhetherSomethingIsThere) {
     const double present = posterior.present();
     const double box = present * detection + (1.0 - present) * false_alarm;
     const double information = h(box) - present * h(detection) - (1.0 - present) * h(false_alarm);
-    EXPECT_NEAR(ExpectedEntropyDrop(posterior, detection, false_alarm), information, 1e-9);
+    EXPECT_NEAR(ExpectedEntropyDrop(posterior, {.if_present = detection, .if_absent = false_alarm}),
+                information, 1e-9);
   }
 }
 
 TEST(EntropyDrop, IsNothingOfADetectorThatGuesses) {
   Random random(3, "drop");
   for (int run = 0; run < 100; ++run) {
-    EXPECT_NEAR(ExpectedEntropyDrop(RandomPosterior(random), 0.5, 0.5), 0.0, 1e-12);
+    EXPECT_NEAR(ExpectedEntropyDrop(RandomPosterior(random), {.if_present = 0.5, .if_absent = 0.5}),
+                0.0, 1e-12);
   }
 }
 
@@ -74,7 +76,8 @@ TEST_F(RevisitPolicyTest, EachFruitlessLookMakesTheNextWorthLessUntilItGivesUp) 
   WatchedObject object = Unknown();
   const double first = policy.InterestIn(object, now_).worth;
   EXPECT_NEAR(first,
-              params_.metres_per_nat * ExpectedEntropyDrop(object.belief.posterior, 0.95, 0.01),
+              params_.metres_per_nat * ExpectedEntropyDrop(object.belief.posterior,
+                                                           {.if_present = 0.95, .if_absent = 0.01}),
               1e-9);
   object.fruitless = 2;
   EXPECT_NEAR(policy.InterestIn(object, now_).worth, 0.25 * first, 1e-9);
@@ -118,30 +121,27 @@ TEST_F(RevisitPolicyTest, TargetsAreTheOpenObjectsWorthTheirInterestTimesTheWeig
   EXPECT_GT(targets[0].value, targets[1].value) << "what is less known is worth more";
 }
 
-constexpr double kDetection = 0.95;
-constexpr double kFalseAlarm = 0.01;
+constexpr PresenceLikelihood kOnePass{.if_present = 0.95, .if_absent = 0.01};
 
 TEST(ValueOfALook, IsNothingWhenTheStatusIsKnown) {
-  EXPECT_DOUBLE_EQ(ExpectedEntropyDrop({.confirmed = 1.0}, kDetection, kFalseAlarm), 0.0);
+  EXPECT_DOUBLE_EQ(ExpectedEntropyDrop({.confirmed = 1.0}, kOnePass), 0.0);
 }
 
 TEST(ValueOfALook, IsGreatestWhenConfirmedAndRemovedAreEquallyLikely) {
-  const double even =
-      ExpectedEntropyDrop({.confirmed = 0.5, .removed = 0.5}, kDetection, kFalseAlarm);
-  const double skewed =
-      ExpectedEntropyDrop({.confirmed = 0.9, .removed = 0.1}, kDetection, kFalseAlarm);
+  const double even = ExpectedEntropyDrop({.confirmed = 0.5, .removed = 0.5}, kOnePass);
+  const double skewed = ExpectedEntropyDrop({.confirmed = 0.9, .removed = 0.1}, kOnePass);
   EXPECT_GT(even, skewed);
   EXPECT_GT(even, 0.5);  // a good detector resolves most of ln 2
 }
 
 TEST(ValueOfALook, CannotTellNewFromConfirmed) {
-  EXPECT_NEAR(ExpectedEntropyDrop({.confirmed = 0.5, .appeared = 0.5}, kDetection, kFalseAlarm),
-              0.0, 1e-12);
+  EXPECT_NEAR(ExpectedEntropyDrop({.confirmed = 0.5, .appeared = 0.5}, kOnePass), 0.0, 1e-12);
 }
 
 TEST(ValueOfALook, IsLessWithAWorseDetector) {
   const StatusPosterior even{.confirmed = 0.5, .removed = 0.5};
-  EXPECT_GT(ExpectedEntropyDrop(even, 0.95, 0.01), ExpectedEntropyDrop(even, 0.7, 0.2));
+  EXPECT_GT(ExpectedEntropyDrop(even, {.if_present = 0.95, .if_absent = 0.01}),
+            ExpectedEntropyDrop(even, {.if_present = 0.7, .if_absent = 0.2}));
 }
 
 }  // namespace

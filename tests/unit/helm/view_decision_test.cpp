@@ -39,7 +39,7 @@ class ViewDecisionTest : public ::testing::Test {
 
   SurveyArea area_{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10};
   SurveyGrid grid_{area_};
-  Ground ground_{grid_, Footprint(4.0, 2.0, CameraModel{})};
+  Ground ground_{grid_, Footprint({.altitude = 4.0, .object_height_max = 2.0}, CameraModel{})};
   Region region_{area_};
   SeenAlong sight_{ground_};
 };

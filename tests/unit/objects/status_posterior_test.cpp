@@ -21,14 +21,15 @@ TEST(StatusPosterior, HoldsConfirmedAndNewForPresent) {
 
 TEST(StatusPosterior, FollowsBayesRule) {
   const StatusPosterior prior{.confirmed = 0.5, .removed = 0.5};
-  const StatusPosterior joint = prior.Times(0.9, 0.1);
+  const StatusPosterior joint = prior.Times({.if_present = 0.9, .if_absent = 0.1});
   EXPECT_DOUBLE_EQ(joint.sum(), 0.5);
   EXPECT_DOUBLE_EQ(joint.Normalized().confirmed, 0.9);
   EXPECT_DOUBLE_EQ(joint.Normalized().sum(), 1.0);
 }
 
 TEST(StatusPosterior, OfTheImpossibleStaysZero) {
-  EXPECT_EQ((StatusPosterior{.removed = 1.0}).Times(1.0, 0.0).Normalized().sum(), 0.0);
+  const PresenceLikelihood sure{.if_present = 1.0, .if_absent = 0.0};
+  EXPECT_EQ((StatusPosterior{.removed = 1.0}).Times(sure).Normalized().sum(), 0.0);
 }
 
 TEST(Status, HasANameThatLeadsBack) {

@@ -13,10 +13,9 @@ constexpr SurveyArea kArea{.north_min = -15.0,
                            .margin = 2.0,
                            .object_height_max = 2.0};
 constexpr int kTop = Footprint::kLayers - 1;
+const SurveyHeights kHeights{.altitude = 4.0, .object_height_max = kArea.object_height_max};
 
-Footprint FootprintWith(double reach) {
-  return {4.0, kArea.object_height_max, CameraModel{}, reach};
-}
+Footprint FootprintWith(double reach) { return {kHeights, CameraModel{}, reach}; }
 
 Pose Above() {
   Pose pose;
@@ -25,7 +24,7 @@ Pose Above() {
 }
 
 TEST(FootprintInMurk, ClearWaterIsAsNoWater) {
-  const Footprint clear = FootprintWith(9.0), none(4.0, kArea.object_height_max, CameraModel{});
+  const Footprint clear = FootprintWith(9.0), none(kHeights, CameraModel{});
   for (int layer = 0; layer <= kTop; ++layer) {
     EXPECT_EQ(clear.half_across(layer), none.half_across(layer));
     EXPECT_EQ(clear.half_along(layer), none.half_along(layer));

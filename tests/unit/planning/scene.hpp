@@ -22,7 +22,9 @@ inline SurveyArea Basin() {
   return basin;
 }
 
-inline Footprint TableFootprint() { return {kAltitude, kArea.object_height_max, CameraModel{}}; }
+inline Footprint TableFootprint() {
+  return {{.altitude = kAltitude, .object_height_max = kArea.object_height_max}, CameraModel{}};
+}
 
 inline Pose At(const Pose2& pose) {
   Pose X_WB;

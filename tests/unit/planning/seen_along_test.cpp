@@ -126,7 +126,7 @@ TEST_F(SeenAlongPaths, FollowsTheGroundsUpdates) {
 
 TEST(SeenAlong, ASweptLineShowsItsSwath) {
   SurveyGrid grid(SurveyArea{-15.0, 15.0, -18.0, 18.0, 2.0, 0.0});  // the bottom alone
-  const Ground ground(grid, Footprint(4.0, 0.0, CameraModel{}));
+  const Ground ground(grid, Footprint({.altitude = 4.0}, CameraModel{}));
   SeenAlong seen(ground);
   const NewlySeen gain = seen(DubinsPath({-5.0, 0.0, 0.0}, {{.curvature = 0.0, .length = 10.0}}));
   EXPECT_NEAR(gain.new_area, 6.713 * (9.5 + 4.619), 5.0);

@@ -17,7 +17,7 @@ SurveyArea Square(double side) {
   return area;
 }
 
-const Footprint kFrom9m(9.0, 1.0, CameraModel{});
+const Footprint kFrom9m({.altitude = 9.0, .object_height_max = 1.0}, CameraModel{});
 
 /// Shows every cell of the block up to the top.
 void ShowAll(SurveyGrid& grid, const CellBox& block) {

@@ -36,7 +36,7 @@ class LookProperties : public ::testing::TestWithParam<int> {
 TEST_P(LookProperties, APlaceInItsWindowIsLookedAtFromAnyHeading) {
   for (int i = 0; i < 40; ++i) {
     const double drop = random_.Uniform(0.8, 4.0);
-    const std::optional<LookWindow> window = LookWindowAbove(model_, drop, 0.0);
+    const std::optional<LookWindow> window = LookWindowAbove(model_, {.drop = drop});
     if (!window) continue;
     const Pose X_WB{
         {random_.Normal(20.0), random_.Normal(20.0), 3.0}, 0.0, 0.0, random_.Uniform(-3.1, 3.1)};
@@ -50,8 +50,8 @@ TEST_P(LookProperties, APlaceInItsWindowIsLookedAtFromAnyHeading) {
 TEST_P(LookProperties, SlackIsTakenFromTheWindowButNeverMoreThanSixTenthsOfIt) {
   for (int i = 0; i < 20; ++i) {
     const double drop = random_.Uniform(0.8, 4.0), slack = random_.Uniform(0.0, 2.0);
-    const auto wide = LookWindowAbove(model_, drop, 0.0);
-    const auto narrow = LookWindowAbove(model_, drop, slack);
+    const auto wide = LookWindowAbove(model_, {.drop = drop});
+    const auto narrow = LookWindowAbove(model_, {.drop = drop, .slack = slack});
     ASSERT_EQ(wide.has_value(), narrow.has_value());
     if (!wide) continue;
     EXPECT_NEAR(narrow->half_along, std::max(wide->half_along - slack, 0.4 * wide->half_along),
@@ -66,8 +66,8 @@ TEST_P(LookProperties, ClearerWaterNeverMakesAWindowSmaller) {
   clearer.detection.visibility = 1.5 * model_.detection.visibility;
   for (int i = 0; i < 20; ++i) {
     const double drop = random_.Uniform(0.8, 6.0);
-    const auto before = LookWindowAbove(model_, drop, 0.0);
-    const auto after = LookWindowAbove(clearer, drop, 0.0);
+    const auto before = LookWindowAbove(model_, {.drop = drop});
+    const auto after = LookWindowAbove(clearer, {.drop = drop});
     if (!before) continue;
     ASSERT_TRUE(after);
     EXPECT_GE(after->half_across, before->half_across - 1e-6);
@@ -77,7 +77,7 @@ TEST_P(LookProperties, ClearerWaterNeverMakesAWindowSmaller) {
 
 TEST_P(LookProperties, TheWindowHasTheShapeOfTheImage) {
   for (int i = 0; i < 10; ++i) {
-    const auto window = LookWindowAbove(model_, random_.Uniform(0.8, 3.0), 0.0);
+    const auto window = LookWindowAbove(model_, {.drop = random_.Uniform(0.8, 3.0)});
     if (!window) continue;
     EXPECT_NEAR(window->half_along / window->half_across,
                 model_.camera.half_along() / model_.camera.half_across(), 1e-6);
@@ -86,7 +86,7 @@ TEST_P(LookProperties, TheWindowHasTheShapeOfTheImage) {
 
 TEST_P(LookProperties, NothingAboveTheCameraIsEverLookedAt) {
   for (int i = 0; i < 20; ++i) {
-    EXPECT_FALSE(LookWindowAbove(model_, random_.Uniform(-5.0, 0.0), 0.0));
+    EXPECT_FALSE(LookWindowAbove(model_, {.drop = random_.Uniform(-5.0, 0.0)}));
     EXPECT_EQ(ChanceToDetect(model_, Pose{}, {0.0, 0.0, random_.Uniform(-5.0, -0.1)}), 0.0);
   }
 }

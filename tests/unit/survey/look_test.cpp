@@ -16,7 +16,7 @@ bool IsLook(const LookModel& model, double drop, double ahead, double starboard)
 TEST(LookWindow, ShowsThePlaceFromEverywhereInIt) {
   const LookModel model;
   for (const double drop : {1.0, 2.0, 3.5, 6.0}) {
-    const auto window = LookWindowAbove(model, drop, 0.0);
+    const auto window = LookWindowAbove(model, {.drop = drop});
     ASSERT_TRUE(window) << drop;
     for (const double x : {-1.0, 0.0, 1.0}) {
       for (const double y : {-1.0, 0.0, 1.0}) {
@@ -28,7 +28,7 @@ TEST(LookWindow, ShowsThePlaceFromEverywhereInIt) {
 
 TEST(LookWindow, LeavesNoMoreThanACornerUnused) {
   const LookModel model;
-  const auto window = LookWindowAbove(model, 3.5, 0.0);
+  const auto window = LookWindowAbove(model, {.drop = 3.5});
   ASSERT_TRUE(window);
   EXPECT_FALSE(IsLook(model, 3.5, 1.3 * window->half_along, 0.0));
   EXPECT_FALSE(IsLook(model, 3.5, 0.0, 1.3 * window->half_across));
@@ -36,14 +36,14 @@ TEST(LookWindow, LeavesNoMoreThanACornerUnused) {
 
 TEST(LookWindow, KeepsTheSlackToTheEdge) {
   const LookModel model;
-  const auto window = LookWindowAbove(model, 3.5, 0.5);
+  const auto window = LookWindowAbove(model, {.drop = 3.5, .slack = 0.5});
   ASSERT_TRUE(window);
   EXPECT_TRUE(IsLook(model, 3.5, window->half_along + 0.5, window->half_across + 0.5));
 }
 
 TEST(LookWindow, IsNarrowerForAnObjectThatFloats) {
-  const auto low = LookWindowAbove(LookModel{}, 3.5, 0.0);
-  const auto high = LookWindowAbove(LookModel{}, 1.5, 0.0);
+  const auto low = LookWindowAbove(LookModel{}, {.drop = 3.5});
+  const auto high = LookWindowAbove(LookModel{}, {.drop = 1.5});
   EXPECT_LT(high->half_across, 1.5);  // within the 1.5 m that used to count as a look
   EXPECT_LT(high->half_across, low->half_across);
 }
@@ -51,8 +51,8 @@ TEST(LookWindow, IsNarrowerForAnObjectThatFloats) {
 TEST(LookWindow, IsNoneWhereNothingCanBeSeen) {
   LookModel murky;
   murky.detection.visibility = Meters(2.0);
-  EXPECT_FALSE(LookWindowAbove(murky, 3.5, 0.0));
-  EXPECT_FALSE(LookWindowAbove(LookModel{}, -0.5, 0.0));  // as high as the camera
+  EXPECT_FALSE(LookWindowAbove(murky, {.drop = 3.5}));
+  EXPECT_FALSE(LookWindowAbove(LookModel{}, {.drop = -0.5}));  // as high as the camera
 }
 
 TEST(LookModel, SurvivesItsMessage) {
@@ -62,8 +62,8 @@ TEST(LookModel, SurvivesItsMessage) {
   model.camera = CameraModel::FromFieldOfView(640, 480, 1.0, 0.8);
   const auto decoded = TopicCodec<MapLook>::Decode(TopicCodec<MapLook>::Encode(ToMapLook(model)));
   ASSERT_TRUE(decoded);
-  const auto sent = LookWindowAbove(model, 2.0, 0.1);
-  const auto received = LookWindowAbove(ToLookModel(*decoded), 2.0, 0.1);
+  const auto sent = LookWindowAbove(model, {.drop = 2.0, .slack = 0.1});
+  const auto received = LookWindowAbove(ToLookModel(*decoded), {.drop = 2.0, .slack = 0.1});
   EXPECT_DOUBLE_EQ(sent->half_across, received->half_across);
 }
 
