@@ -122,7 +122,7 @@ struct Destination {
 
 /// What the running behaviors want options for.
 struct SearchGoals {
-  Objective objective{.ground = {.cover = 0.0, .frontier = 0.0}, .targets = {}, .terms = {}};
+  Objective objective{};
   std::vector<Destination> destinations{};  ///< e.g. home
   bool leads_into_region = false;  ///< a vehicle outside the operating region is to come in
 };

@@ -28,11 +28,10 @@ struct GroundWorth {
   double useful = 0.0;  ///< of the new area
   double ragged = 0.0;  ///< cost of the border that is left between seen and unseen
 };
-/// The exchange rates between new ground and path.
+/// The exchange rates between new ground and path; of who wants none, all 0.
 struct GroundRates {
-  double cover = 1.0;  ///< metres of path per metre of fully useful track
-  /// Metres of path per metre of new border: best in a study of searches alone.
-  double frontier = 0.325;
+  double cover = 0.0;     ///< metres of path per metre of fully useful track
+  double frontier = 0.0;  ///< metres of path per metre of new border
   /// Metres of path per metre of path before new ground is seen, mean over the area.
   double early = 0.0;
   /// Metres of path per metre of path before most of bottom and band has been seen.

@@ -26,7 +26,7 @@ double ShareUntil(int left, int before, int after) {
 /// Without ground, which the judge counts itself.
 Objective WithoutGround(const Objective& objective) {
   Objective others = objective;
-  others.ground = {.cover = 0.0, .frontier = 0.0, .early = 0.0};
+  others.ground = {};
   return others;
 }
 

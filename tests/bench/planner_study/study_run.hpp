@@ -25,7 +25,8 @@ struct StudyCase {
   bool has_fixed_start = false;  ///< (-12.5, -15.5) heading east; else random
   bool is_change = false;        ///< former objects of Table 1 are targets
   double target_value = 60.0;
-  Objective objective;
+  /// Its frontier was best of beam search alone.
+  Objective objective{.ground = {.cover = 1.0, .frontier = 0.325}, .targets = {}, .terms = {}};
   /// Gap paths are offered when the beam's best shows less than this [m of useful track per m].
   double gap_below = 0.02;
   double late_share = 2.0;  ///< seabed share from which late_frontier holds

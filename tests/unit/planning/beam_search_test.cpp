@@ -101,7 +101,7 @@ TEST(SearchTerm, OfABehaviorDrawsEverySearchWhereItWants) {
   const Pose2 start{-4.0, 0.0, 0.5 * std::numbers::pi};
   Objective objective = Defaults();
   const Option plain = BeamSearch(start, scene.ground, kSceneRegion, objective, {}).front();
-  objective.ground = {.cover = 0.0, .frontier = 0.0};
+  objective.ground = {};
   objective.terms = {std::make_shared<NorthTerm>()};
   const Option drawn = BeamSearch(start, scene.ground, kSceneRegion, objective, {}).front();
   EXPECT_GE(WorthAlong(drawn.path, NorthTerm()), WorthAlong(plain.path, NorthTerm()));
@@ -114,7 +114,6 @@ TEST(SearchTerm, OfABehaviorDrawsEverySearchWhereItWants) {
 TEST(SearchTerm, CountsItsEventsOncePerPath) {
   const HalfSeen scene;
   Objective objective;
-  objective.ground = {.cover = 0.0, .frontier = 0.0};
   objective.terms = {std::make_shared<NorthTerm>(100.0)};
   SeenAlong seen(scene.ground);
   for (const Option& option :
@@ -145,12 +144,14 @@ TEST(BeamSearch, BringsADriftedVehicleBack) {
 TEST(BeamSearch, CoversTable1WithinTheRequiredPath) {
   SurveyGrid grid(kArea);
   Ground ground(grid, TableFootprint());
+  Objective objective;
+  objective.ground = {.cover = 1.0, .frontier = 0.325};  // best of this search alone
   Pose2 pose = kStart;
   double path = 0.0;
   while (grid.coverage().seabed < 0.95 && path < 300.0) {
     ground.Update(grid);
     const DubinsPath leg =
-        BeamSearch(pose, ground, kSceneRegion, Objective{}, {}).front().path.Prefix(8.0);
+        BeamSearch(pose, ground, kSceneRegion, objective, {}).front().path.Prefix(8.0);
     Fly(grid, leg);
     pose = leg.end();
     path += leg.length();

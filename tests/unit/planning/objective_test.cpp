@@ -77,8 +77,7 @@ TEST_P(ObjectiveProperties, LengthCostsAMetreForAMetreWhereNothingIsSought) {
   SurveyGrid grid(scene::kArea);
   Ground ground(grid, scene::TableFootprint());
   SeenAlong seen(ground);
-  Objective nothing;
-  nothing.ground = {.cover = 0.0, .frontier = 0.0};
+  const Objective nothing;
   const double length = random_.Uniform(1.0, 20.0);
   const DubinsPath path({0.0, 0.0, random_.Uniform(-3.0, 3.0)}, {{0.0, length}});
   EXPECT_NEAR(ValueOf(path, nothing, ground, seen), -length, 1e-9);
@@ -99,9 +98,10 @@ INSTANTIATE_TEST_SUITE_P(Drawn, ObjectiveProperties, ::testing::Range(1, 9));
 
 TEST(Objective, SeeksTargetsOrTermsEvenWhereGroundIsWorthNothing) {
   Objective objective;
-  EXPECT_TRUE(objective.SeeksAnything());
-  objective.ground.cover = 0.0;
   EXPECT_FALSE(objective.SeeksAnything());
+  objective.ground.cover = 1.0;
+  EXPECT_TRUE(objective.SeeksAnything());
+  objective.ground = {};
   objective.targets.push_back({});
   EXPECT_TRUE(objective.SeeksAnything());
 }

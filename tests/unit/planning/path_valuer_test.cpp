@@ -40,7 +40,6 @@ class LineTerm final : public SearchTerm {
 class PathValuerProperties : public ::testing::TestWithParam<int> {
  protected:
   PathValuerProperties() {
-    objective_.ground = {.cover = 0.0, .frontier = 0.0};
     objective_.target_decay_m = 60.0;
     for (int i = 0; i < 6; ++i) {
       objective_.targets.push_back({.north = random_.Uniform(-12.0, 12.0),

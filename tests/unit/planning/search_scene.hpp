@@ -31,7 +31,7 @@ struct HalfSeen {
 
 inline Objective Defaults() {
   Objective objective;
-  objective.ground.frontier = 0.2;
+  objective.ground = {.cover = 1.0, .frontier = 0.2};
   return objective;
 }
 
