@@ -38,7 +38,7 @@ class NavApp final : public App {
     Seconds stale_after{2.0};
     MetersPerSecond strongest_current{0.5};
     Meters opi_radius{0.5};
-    double opi_radius_spread = 0.2;
+    double opi_radius_spread = kSizeSpread;
     std::string opi_radius_by_class = "none";
     double min_confidence = ObjectTrackerParams{}.min_confidence;
     double wrong_color_share = BoxGateParams{}.confused_class_share;

@@ -15,6 +15,9 @@
 
 namespace limpet {
 
+/// ObjectModel::size_spread where one radius is said for objects of several sizes.
+inline constexpr double kSizeSpread = 0.2;
+
 /// What is known of objects before any observation.
 struct ObjectModel {
   BoxNoise noise;

@@ -18,7 +18,6 @@ constexpr double kArrival = 10.0;       // [s] that a row may be behind its meas
 constexpr double kSilence = 0.3;        // [s]
 constexpr double kOnlinePeriod = 0.19;  // [s] between rows of online.csv
 constexpr double kStatesPeriod = 0.99;  // [s] between those of states.csv
-constexpr double kSizeSpread = 0.2;     // of the objects: a stream says one radius for all
 
 /// Feeds one row after the other and keeps what the estimator says.
 class Replayer {
@@ -180,7 +179,7 @@ NavigatorParams ParamsForStream(const StreamMeta& meta) {
                          .bias_mps = meta.dvl_bias_sigma},
                         params.odometry);
   params.objects.model.radius_m = meta.opi_radius;
-  params.objects.model.size_spread = kSizeSpread;
+  params.objects.model.size_spread = kSizeSpread;  // a stream says one radius for all
   params.fix_wait = kFixWait;
   BelieveMounting(SensorSheets{}, params);  // a stream says nothing of it
   return params;
@@ -193,7 +192,7 @@ NavigatorParams ParamsForVehicle(const VehicleParams& hull, const SensorSheets& 
   BelieveSheets(sheets, params);
   params.camera = camera;
   params.objects.model.radius_m = meta.opi_radius;
-  params.objects.model.size_spread = kSizeSpread;
+  params.objects.model.size_spread = kSizeSpread;  // a stream says one radius for all
   params.fix_wait = kFixWait;
   return params;
 }
