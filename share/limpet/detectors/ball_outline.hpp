@@ -11,6 +11,9 @@
 
 namespace limpet {
 
+/// Of an image in which a ball can be told [px], width and height.
+inline constexpr int kLeastImageSide = 32;
+
 /// The outline of what may be a ball, pixels of the full image.
 struct BallOutline {
   RefinedOutline outline;

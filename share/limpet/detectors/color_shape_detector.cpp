@@ -121,8 +121,7 @@ std::optional<Box> ColorShapeDetector::Verify(const ImageView& image,
 }
 
 std::vector<Box> ColorShapeDetector::Detect(const ImageView& image) {
-  constexpr int kLeastSide = 32;
-  if (image.width_px < kLeastSide || image.height_px < kLeastSide) {
+  if (std::min(image.width_px, image.height_px) < kLeastImageSide) {
     return {};
   }
   outlines_.Take(image);

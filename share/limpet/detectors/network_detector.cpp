@@ -19,10 +19,9 @@
 namespace limpet {
 namespace {
 
-constexpr double kLeastLogit = -2.2;   // of what is looked at at all: a score of 0.1
-constexpr double kMostOverlap = 0.45;  // of boxes of two objects
-constexpr int kInputStep = 16;         // what the network halves four times
-constexpr int kLeastSide = 32;
+constexpr double kLeastLogit = -2.2;     // of what is looked at at all: a score of 0.1
+constexpr double kMostOverlap = 0.45;    // of boxes of two objects
+constexpr int kInputStep = 16;           // what the network halves four times
 constexpr double kLeastAgreement = 0.6;  // overlap of an outline's box with the network's
 
 /// A ball whose visible part has this box: of one that the border cuts, the longer side is whole.
@@ -112,7 +111,7 @@ void NetworkDetector::FollowOutline(const ImageView& image, NetworkProposal& pro
 }
 
 std::vector<NetworkProposal> NetworkDetector::Propose(const ImageView& image) {
-  if (image.width_px < kLeastSide || image.height_px < kLeastSide) return {};
+  if (std::min(image.width_px, image.height_px) < kLeastImageSide) return {};
   const cv::Size size = InputSize(image);
   const bool shrinks = size.width < image.width_px;
   cv::resize(MatOf(image), reduced_, size, 0.0, 0.0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
