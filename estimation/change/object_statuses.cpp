@@ -61,7 +61,6 @@ void ObjectStatuses::MoveFrames(const std::function<Pose(double t, const Pose& X
 
 void ObjectStatuses::SetLandmarks(const std::vector<Landmark>& landmarks) {
   landmarks_ = landmarks;
-  std::erase_if(landmarks_, [](const Landmark& landmark) { return !landmark.is_confirmed; });
   std::ranges::sort(landmarks_, {}, &Landmark::id);
   const std::map<int, int> before = representative_;
   MergeLandmarks();

@@ -79,7 +79,7 @@ class ObjectStatuses {
   /// Takes kept frames along when the track behind the vehicle has moved; `moved` gives the new
   /// pose from time [s] and old pose. Landmarks that moved with it are to follow.
   void MoveFrames(const std::function<Pose(double t, const Pose& X_WB)>& moved);
-  /// All landmarks as now estimated; one that is absent, or not confirmed, is forgotten. Which
+  /// All landmarks as now estimated; one that is absent is forgotten. Which
   /// former object each of them is, if any, is taken as they say it.
   void SetLandmarks(const std::vector<Landmark>& landmarks);
   /// Judges every place again from all frames, exactly where it now is, with the rate of false

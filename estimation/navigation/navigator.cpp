@@ -292,7 +292,6 @@ std::vector<Landmark> Navigator::Landmarks() const {
                     .color = object->Color(),
                     .size = tracker_.SizeOf(*object)},
          .detections = static_cast<int>(object->observations.size()),
-         .is_confirmed = true,
          .former_id = object->former_id,
          .former_probability = object->former_probability,
          .former_candidates = object->former_candidates});

@@ -20,8 +20,7 @@ std::vector<Landmark> LandmarksOf(const OpiBeliefs& objects) {
   std::vector<Landmark> landmarks;
   for (const OpiBelief& opi : objects.opis) {
     if (!opi.landmark) continue;
-    landmarks.push_back(
-        {.id = *opi.landmark, .object = opi.object, .detections = opi.looks, .is_confirmed = true});
+    landmarks.push_back({.id = *opi.landmark, .object = opi.object, .detections = opi.looks});
   }
   return landmarks;
 }
@@ -60,7 +59,6 @@ std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession
   if (WasFlownWith(b, a)) {
     return landmarks;
   }
-  std::erase_if(landmarks, [](const Landmark& landmark) { return !landmark.is_confirmed; });
   FormerSession former{.ids = {}, .objects = {}, .covariance = prior.joint_cov_W};
   for (const FormerObject& object : prior.opis) {
     former.ids.push_back(object.id);

@@ -39,13 +39,11 @@ struct FormerCandidate {
   double probability = 0.0;
 };
 
-/// An object as the smoother knows it.
+/// An object as the smoother knows it: enough detections and parallax have made it one.
 struct Landmark {
   int id = 0;
   ObjectEstimate object;
-  int detections = 0;         ///< associated with it: boxes, several of one look
-  bool is_confirmed = false;  ///< enough detections and parallax to be an object; tentative ones
-                              ///< are not published to users
+  int detections = 0;                           ///< associated with it: boxes, several of one look
   std::optional<int> former_id = std::nullopt;  ///< of the FormerObject that it was matched with
   double former_probability = 1.0;  ///< that it stands where that one stood; else it was moved, or
                                     ///< that one is gone and this one came

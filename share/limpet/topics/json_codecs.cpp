@@ -94,11 +94,11 @@ ObjectEstimate EstimateFrom(const nlohmann::json& in) {
 }
 
 /// `prior_candidates` is there only while the match is undecided, `prior_p` only where it is
-/// below 1.
+/// below 1. `is_confirmed` says of every landmark what being one means, for those who ask.
 void to_json(nlohmann::json& out, const Landmark& landmark) {
   out = {{"id", landmark.id},
          {"looks", landmark.detections},
-         {"is_confirmed", landmark.is_confirmed},
+         {"is_confirmed", true},
          {"prior_id", landmark.former_id.value_or(kNoId)}};
   if (landmark.former_id && landmark.former_probability < 1.0) {
     out["prior_p"] = landmark.former_probability;
@@ -113,7 +113,6 @@ void from_json(const nlohmann::json& in, Landmark& landmark) {
   landmark = {.id = in.at("id"),
               .object = EstimateFrom(in),
               .detections = in.at("looks"),
-              .is_confirmed = in.at("is_confirmed"),
               .former_id = IdFrom(in.at("prior_id")),
               .former_probability = in.value("prior_p", 1.0)};
   for (const nlohmann::json& candidate : in.value("prior_candidates", nlohmann::json::array())) {
@@ -183,7 +182,16 @@ void from_json(const nlohmann::json& in, FormerObject& former) {
             .looks = in.at("looks")};
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Landmarks, landmarks)
+void to_json(nlohmann::json& out, const Landmarks& all) { out = {{"landmarks", all.landmarks}}; }
+
+/// What another program writes that is not confirmed is no landmark.
+void from_json(const nlohmann::json& in, Landmarks& all) {
+  for (const auto& one : in.at("landmarks").get<std::vector<nlohmann::json>>()) {
+    const Landmark landmark = one;
+    if (one.at("is_confirmed").get<bool>()) all.landmarks.push_back(landmark);
+  }
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpiBeliefs, opis)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Obstacle, id, outline, top)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Obstacles, obstacles)

@@ -22,8 +22,7 @@ inline const Eigen::Vector3d kCovariance(0.04, 0.04, 0.09);  // of each place [m
 inline Landmark LandmarkOf(const trial::Sphere& sphere) {
   return {.id = sphere.landmark.value(),
           .object = {.p_W = sphere.ned, .cov_W = kCovariance.asDiagonal(), .color = sphere.color},
-          .detections = 5,
-          .is_confirmed = true};
+          .detections = 5};
 }
 
 struct FormerOpi {

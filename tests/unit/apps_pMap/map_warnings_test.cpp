@@ -156,8 +156,7 @@ TEST_F(MapWarningsTest, SaysThatItTakesAnObjectOfPNavsForNone) {
                          .object = {.p_W = seen.ned,
                                     .cov_W = 0.01 * Eigen::Matrix3d::Identity(),
                                     .color = "yellow"},
-                         .detections = 12,
-                         .is_confirmed = true}}});
+                         .detections = 12}}});
   link_.time += Seconds(20.0);
   app_.Tick(link_.time);
   EXPECT_TRUE(app_.warnings().contains("LANDMARKS_DOUBTED"));

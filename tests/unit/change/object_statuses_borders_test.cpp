@@ -54,13 +54,6 @@ TEST_F(ObjectStatusesBorders, HeightDoesNotKeepLandmarksApart) {
   EXPECT_EQ(statuses_.Representative(2), 1);
 }
 
-TEST_F(ObjectStatusesBorders, ALandmarkThatIsNotConfirmedIsNone) {
-  Fly(0.0, {{At(4.0, 0.5), 1}});
-  statuses_.SetLandmarks(
-      {{.id = 1, .object = At(4.0, 0.5), .detections = 9, .is_confirmed = false}});
-  EXPECT_EQ(statuses_.Representative(1), std::nullopt);
-}
-
 /// Statuses after an object of the former session was found that far from its place.
 class MovedObjects : public ObjectStatusesBorders {
  protected:

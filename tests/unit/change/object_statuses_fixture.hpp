@@ -67,7 +67,6 @@ class ObjectStatusesTest : public ::testing::Test {
       known.push_back({.id = *real.landmark,
                        .object = real.object,
                        .detections = 10 - *real.landmark,
-                       .is_confirmed = true,
                        .former_id = real.former_id,
                        .former_candidates = real.candidates});
     }

@@ -114,8 +114,8 @@ TEST_F(ObjectStatusesTest, ASizeThatPNavLearnsLaterCounts) {
 TEST_F(ObjectStatusesTest, TellsOfALandmarkWithManyDetectionsThatItTakesForNone) {
   Fly(0.0, {});
   Fly(0.5, {});
-  statuses_.SetLandmarks({{.id = 1, .object = At(4, 0.5), .detections = 12, .is_confirmed = true},
-                          {.id = 2, .object = At(1, -0.5), .detections = 3, .is_confirmed = true}});
+  statuses_.SetLandmarks({{.id = 1, .object = At(4, 0.5), .detections = 12},
+                          {.id = 2, .object = At(1, -0.5), .detections = 3}});
   static_cast<void>(statuses_.Assess());
   EXPECT_EQ(statuses_.landmarks_doubted(), 1) << "three detections may well be false ones";
   statuses_.SetLandmarks({});

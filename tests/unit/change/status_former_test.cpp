@@ -151,7 +151,7 @@ TEST_F(StatusFormerTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
   for (const ObservedFrame& frame : statuses_.frames())
     again.AddFrame(frame);
   again.SetFormer({Former(7, At(8, 0.0))});
-  again.SetLandmarks({{.id = 1, .object = late.object, .detections = 9, .is_confirmed = true}});
+  again.SetLandmarks({{.id = 1, .object = late.object, .detections = 9}});
   again.Rejudge();
   const std::vector<OpiBelief> first = statuses_.Assess();
   const std::vector<OpiBelief> second = again.Assess();

@@ -93,7 +93,6 @@ TEST(TentativeObjectBelief, IsNotHeldBesideALandmarkNearerThanAMetreAndAHalf) {
     landmark.object = {
         .p_W = {0.0, distance, 6.0}, .cov_W = 1e-4 * Eigen::Matrix3d::Identity(), .color = "green"};
     landmark.detections = 5;
-    landmark.is_confirmed = true;
     statuses.SetLandmarks({landmark});
     bool is_held = false;
     for (const OpiBelief& object : statuses.Assess())

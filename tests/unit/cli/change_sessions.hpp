@@ -88,7 +88,6 @@ class ChangeVerbTest : public ::testing::Test {
                                                 .cov_W = kCovariance.asDiagonal(),
                                                 .color = sphere.color},
                                      .detections = 9,
-                                     .is_confirmed = true,
                                      .former_id = FormerOf(session, sphere)});
     }
     Say(community, topics::kNavLandmarks, landmarks);

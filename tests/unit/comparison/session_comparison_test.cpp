@@ -140,7 +140,6 @@ TEST_F(SessionComparisonTest, TakesNothingForNewThatAnObstacleHidFromTheFormerSe
   landmark.object.color = "yellow";
   landmark.object.p_W = {0.0, 0.0, 6.0};
   landmark.object.cov_W = 0.01 * Eigen::Matrix3d::Identity();
-  landmark.is_confirmed = true;
   b.memory.known_landmarks = Landmarks{{landmark}};
   for (ObservedFrame& frame : b.memory.frames) {
     frame.boxes = {{.u = 320,

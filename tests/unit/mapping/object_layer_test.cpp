@@ -43,10 +43,7 @@ struct Flight {
   ObjectLayer layer{{}, status, kCamera};
 
   explicit Flight(const Eigen::Vector3d& ned) {
-    statuses.SetLandmarks({{.id = 1,
-                            .object = {.p_W = ned, .color = "yellow"},
-                            .detections = 5,
-                            .is_confirmed = true}});
+    statuses.SetLandmarks({{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .detections = 5}});
     for (int i = 0; i < 20; ++i) {
       const Pose X_WB{{ned.x() - 1.2 + 0.125 * i, ned.y() + 0.4, ned.z() - 3.0}, 0.02, -0.01, 0.0};
       statuses.AddFrame(
@@ -193,10 +190,8 @@ Flight PastTheEdge(const Eigen::Vector3d& ned, int landmark) {
                               .X_WB = X_WB,
                               .boxes = {Clipped(BoxAround(X_WB, ned, landmark))}});
   }
-  flight.statuses.SetLandmarks({{.id = 1,
-                                 .object = {.p_W = ned, .color = "yellow"},
-                                 .detections = 5,
-                                 .is_confirmed = true}});
+  flight.statuses.SetLandmarks(
+      {{.id = 1, .object = {.p_W = ned, .color = "yellow"}, .detections = 5}});
   return flight;
 }
 

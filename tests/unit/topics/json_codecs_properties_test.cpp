@@ -54,7 +54,6 @@ class Maker {
       out.landmarks.push_back({.id = Whole(),
                                .object = Object(),
                                .detections = Whole(),
-                               .is_confirmed = random_.Chance(0.5),
                                .former_id = Whole(),
                                .former_candidates = {{Whole(), 0.25}, {Whole(), 0.5}}});
     }

@@ -96,6 +96,16 @@ TEST(WireForm, OfLandmarksStays) {
       R"("ned":[-5.953011914054159,-5.275651358762531,6.488511807801939],"prior_id":1}]})");
 }
 
+TEST(WireForm, OfALandmarkThatIsNotConfirmedSaysNone) {
+  const auto decoded = TopicCodec<Landmarks>::Decode(
+      R"({"landmarks":[{"color":"orange","cov":[1,0,0,1,0,1],"id":1,"is_confirmed":false,)"
+      R"("looks":2,"ned":[0,0,6],"prior_id":-1},{"color":"orange","cov":[1,0,0,1,0,1],"id":2,)"
+      R"("is_confirmed":true,"looks":9,"ned":[0,0,6],"prior_id":-1}]})");
+  ASSERT_TRUE(decoded);
+  ASSERT_EQ(decoded->landmarks.size(), 1U);
+  EXPECT_EQ(decoded->landmarks[0].id, 2);
+}
+
 TEST(WireForm, OfAnUndecidedLandmarkSaysWhatItMayBe) {
   Landmark landmark;
   landmark.former_candidates = {{7, 0.5}, {8, 0.25}};
