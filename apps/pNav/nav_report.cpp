@@ -14,12 +14,12 @@ namespace limpet {
 namespace {
 
 /// The former object; "?" beside what it may be while that is undecided.
-std::string FormerOf(const Landmark& landmark) {
-  if (landmark.former_candidates.empty()) {
-    return landmark.former_id ? std::to_string(*landmark.former_id) : "-";
+std::string FormerText(const FormerIdentity& former) {
+  if (former.candidates.empty()) {
+    return former.id ? std::to_string(*former.id) : "-";
   }
   std::string text;
-  for (const FormerCandidate& candidate : landmark.former_candidates)
+  for (const FormerCandidate& candidate : former.candidates)
     text += fmt::format("{}{}?", text.empty() ? "" : " ", candidate.id);
   return text;
 }
@@ -38,7 +38,7 @@ void AddLandmarks(const std::vector<Landmark>& landmarks, ReportLines& report) {
                   fmt::format("{:.2f}", landmark.object.p_W.y()),
                   fmt::format("{:.2f}", landmark.object.p_W.z()), fmt::format("{:.2f}", sd(0)),
                   fmt::format("{:.2f}", sd(1)), std::to_string(landmark.detections),
-                  FormerOf(landmark)});
+                  FormerText(landmark.former)});
   }
   report.Add(table);
 }

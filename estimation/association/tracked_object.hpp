@@ -70,9 +70,7 @@ class TrackedObject {
   int expected = 0;           ///< frames that should have shown it
   int hits = 0;               ///< of these, how many did
   double motion_sd = 0.0;  ///< that it moves about its place, north and east [m]; 0: stands still
-  std::optional<int> former_id;     ///< object of the former session it was matched with
-  double former_probability = 1.0;  ///< that it stands where that one stood
-  std::vector<FormerCandidate> former_candidates;  ///< while that is undecided
+  FormerIdentity former;
   double drift_sd = 0.0;  ///< of its distance to landmarks when it came in doubt [m]
   IdentityVerdict verdict;
   /// What its own motion adds to the covariance of where it is found [m^2].

@@ -133,7 +133,7 @@ bool ObjectStatuses::IsExplained(const ObservedFrame& frame, const Box& box) con
 
 bool ObjectStatuses::AreOne(const Landmark& a, const Landmark& b) const {
   const bool are_two_former =
-      HasDecidedFormer(a) && HasDecidedFormer(b) && a.former_id != b.former_id;
+      a.former.is_decided() && b.former.is_decided() && a.former.id != b.former.id;
   return !are_two_former && HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
          !seen_together_.contains(std::minmax(a.id, b.id));
 }
@@ -153,10 +153,8 @@ void ObjectStatuses::MergeLandmarks() {
     representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
     if (same == objects_.end()) {
       objects_.push_back(*landmark);
-    } else if (HasDecidedFormer(*landmark) || !HasFormer(*same)) {
-      same->former_id = landmark->former_id;
-      same->former_probability = landmark->former_probability;
-      same->former_candidates = landmark->former_candidates;
+    } else if (landmark->former.is_decided() || !same->former.is_possible()) {
+      same->former = landmark->former;
     }
   }
   std::ranges::sort(objects_, {}, &Landmark::id);

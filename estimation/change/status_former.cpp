@@ -51,10 +51,9 @@ void ObjectStatuses::TakeCandidates(const Landmark& landmark, std::size_t object
     if (is_best && !now) now = static_cast<int>(object);
     match_.chance(i, static_cast<Eigen::Index>(object)) = std::clamp(chance, 0.0, 1.0);
   };
-  for (const FormerCandidate& candidate : landmark.former_candidates)
-    take(candidate.id, candidate.probability, candidate.id == landmark.former_id);
-  if (landmark.former_id && landmark.former_candidates.empty())
-    take(*landmark.former_id, landmark.former_probability, true);
+  for (const FormerCandidate& candidate : landmark.former.candidates)
+    take(candidate.id, candidate.probability, candidate.id == landmark.former.id);
+  if (landmark.former.is_decided()) take(*landmark.former.id, landmark.former.probability, true);
 }
 
 void ObjectStatuses::TakeMatches() {
@@ -74,7 +73,7 @@ void ObjectStatuses::TakeMatches() {
   // The offset rests on what is decided alone.
   FormerMatches decided = match_.now_of_former;
   for (std::optional<int>& now_of : decided) {
-    if (now_of && !HasDecidedFormer(objects_[static_cast<std::size_t>(*now_of)])) now_of.reset();
+    if (now_of && !objects_[static_cast<std::size_t>(*now_of)].former.is_decided()) now_of.reset();
   }
   const SessionMatch fit =
       FitSessions(WithOwnCovariance(std::move(former)), WithOwnCovariance(std::move(now)),

@@ -17,16 +17,6 @@ namespace limpet {
   return place;
 }
 
-/// True if a landmark is, or may be, an object of the former session.
-[[nodiscard]] inline bool HasFormer(const Landmark& landmark) {
-  return landmark.former_id || !landmark.former_candidates.empty();
-}
-
-/// True if it is decided which one.
-[[nodiscard]] inline bool HasDecidedFormer(const Landmark& landmark) {
-  return landmark.former_id && landmark.former_candidates.empty();
-}
-
 /// How much larger one of them is than the other, as a natural logarithm; infinite where only one
 /// is known.
 [[nodiscard]] inline double SizeChange(const ObjectEstimate& a, const ObjectEstimate& b) {

@@ -52,9 +52,7 @@ void FormerMatching::Update() {
     return;
   }
   for (std::size_t i = 0; i < present.objects.size(); ++i) {
-    present.objects[i]->former_id = tie_.former_ids()[i];
-    present.objects[i]->former_probability = tie_.former_probabilities()[i];
-    present.objects[i]->former_candidates = tie_.candidates()[i];
+    present.objects[i]->former = tie_.identities()[i];
   }
   smoother_.SetJointPrior(tie_.prior());
   smoother_.Update();
@@ -62,7 +60,7 @@ void FormerMatching::Update() {
   matched_.clear();
   for (const TrackedObject* object : present.objects) {
     matched_.push_back({object->slot(), object->p_W,
-                        object->former_candidates.empty() ? 0 : object->observations.size()});
+                        object->former.candidates.empty() ? 0 : object->observations.size()});
   }
 }
 

@@ -117,9 +117,7 @@ void SetOwn(std::vector<ObjectEstimate>& objects, const Eigen::MatrixXd& own) {
 
 void FormerSessionTie::SetFormer(FormerSession former) {
   given_ = std::move(former);
-  former_ids_.clear();
-  former_probabilities_.clear();
-  candidates_.clear();
+  identities_.clear();
   prior_.reset();
   is_elsewhere_ = false;
   frame_spread_ = 1.0;
@@ -261,11 +259,9 @@ std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
     const PresentLandmarks& present, const SessionMatch& match,
     const std::vector<std::size_t>& placed, const std::vector<double>& same_place) {
   const FormerObjects former{.ids = former_.ids, .objects = former_.objects};
-  former_ids_.assign(present.slots.size(), std::nullopt);
-  former_probabilities_.assign(present.slots.size(), 1.0);
-  candidates_.assign(present.slots.size(), {});
+  identities_.assign(present.slots.size(), {});
   for (std::size_t j = 0; j < placed.size(); ++j)
-    candidates_[placed[j]] = RivalCandidates(former, match, static_cast<int>(j));
+    identities_[placed[j]].candidates = RivalCandidates(former, match, static_cast<int>(j));
   std::vector<Pair> pairs;
   std::vector<bool> is_taken(former_.ids.size(), false);
   for (std::size_t i = 0; i < former_.ids.size(); ++i) {
@@ -273,18 +269,20 @@ std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
     const std::size_t now = placed[static_cast<std::size_t>(*match.now_of_former[i])];
     is_taken[i] = true;
     if (same_place[i] <= 1.0 - kDecidedMatch) continue;  // moved, or gone and another one came
-    former_ids_[now] = former_.ids[i];
-    former_probabilities_[now] = same_place[i];
-    if (!candidates_[now].empty()) continue;
+    FormerIdentity& identity = identities_[now];
+    identity.id = former_.ids[i];
+    identity.probability = same_place[i];
+    if (!identity.candidates.empty()) continue;
     if (same_place[i] < kDecidedMatch) {
-      candidates_[now] = {{former_.ids[i], same_place[i]}};
+      identity.candidates = {{former_.ids[i], same_place[i]}};
     } else {
       pairs.push_back({i, now});
     }
   }
   for (std::size_t now = 0; now + present.others < present.slots.size(); ++now) {
-    if (former_ids_[now] || !candidates_[now].empty()) continue;
-    candidates_[now] = NearbyCandidates(former, is_taken, present.objects[now], match, params_);
+    if (identities_[now].is_possible()) continue;
+    identities_[now].candidates =
+        NearbyCandidates(former, is_taken, present.objects[now], match, params_);
   }
   return pairs;
 }

@@ -46,16 +46,8 @@ class FormerSessionTie {
   /// first, so that a match never proves itself. False if nothing can be said now.
   bool Match(const PresentLandmarks& present, const std::optional<JointPrior>& applied);
 
-  /// Per present landmark of the last Match: the former object's id, if it is one.
-  [[nodiscard]] const std::vector<std::optional<int>>& former_ids() const { return former_ids_; }
-  /// Per present landmark with such an id: the chance that it stands where that object stood.
-  [[nodiscard]] const std::vector<double>& former_probabilities() const {
-    return former_probabilities_;
-  }
-  /// Per present landmark: what it may be as long as that is undecided, as in Landmark.
-  [[nodiscard]] const std::vector<std::vector<FormerCandidate>>& candidates() const {
-    return candidates_;
-  }
+  /// Per present landmark of the last Match.
+  [[nodiscard]] const std::vector<FormerIdentity>& identities() const { return identities_; }
   /// Of the former session's frame in this one, from the last Match.
   [[nodiscard]] FrameOffset offset() const { return Together(placed_, offset_); }
   /// The former session's frame lies where neither its fixes nor its compass would have it.
@@ -68,9 +60,8 @@ class FormerSessionTie {
   struct Pair {
     std::size_t former, now;
   };
-  /// Sets `former_ids_` with their probabilities and `candidates_`; the pairs that are decided.
-  /// `placed`: indices of the landmarks that took part in the match; `same_place`:
-  /// ChancesOfSamePlace.
+  /// Sets `identities_`; the pairs that are decided. `placed`: indices of the landmarks that took
+  /// part in the match; `same_place`: ChancesOfSamePlace.
   std::vector<Pair> Decide(const PresentLandmarks& present, const SessionMatch& match,
                            const std::vector<std::size_t>& placed,
                            const std::vector<double>& same_place);
@@ -112,9 +103,7 @@ class FormerSessionTie {
   FormerSession former_;  ///< as placed, each object's covariance its own
   Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
   Eigen::MatrixXd former_own_;
-  std::vector<std::optional<int>> former_ids_;
-  std::vector<double> former_probabilities_;
-  std::vector<std::vector<FormerCandidate>> candidates_;
+  std::vector<FormerIdentity> identities_;
   FrameOffset offset_;  ///< of the frame as placed
   std::optional<JointPrior> prior_;
 };

@@ -292,9 +292,7 @@ std::vector<Landmark> Navigator::Landmarks() const {
                     .color = object->Color(),
                     .size = tracker_.SizeOf(*object)},
          .detections = static_cast<int>(object->observations.size()),
-         .former_id = object->former_id,
-         .former_probability = object->former_probability,
-         .former_candidates = object->former_candidates});
+         .former = object->former});
   }
   return landmarks;
 }

@@ -93,8 +93,8 @@ inline Recognition RecognitionOf(const ReplayResult& result, const EarlierSessio
         earlier.true_ids, [&id](const auto& entry) { return id && entry.second == *id; });
     const bool was_known = was != earlier.true_ids.end();
     recognition.possible += was_known ? 1 : 0;
-    if (!l.former_id) continue;
-    const auto said = earlier.true_ids.find(*l.former_id);
+    if (!l.former.id) continue;
+    const auto said = earlier.true_ids.find(*l.former.id);
     const bool is_right = was_known && said != earlier.true_ids.end() && said->second == *id;
     (is_right ? recognition.right : recognition.wrong) += 1;
   }

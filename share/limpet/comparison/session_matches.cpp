@@ -76,10 +76,7 @@ std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession
   tie.SetFormer(std::move(former));
   const bool is_matched = tie.Match(present, std::nullopt);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    landmarks[i].former_id = is_matched ? tie.former_ids()[i] : std::nullopt;
-    landmarks[i].former_probability = is_matched ? tie.former_probabilities()[i] : 1.0;
-    landmarks[i].former_candidates.clear();
-    if (is_matched) landmarks[i].former_candidates = tie.candidates()[i];
+    landmarks[i].former = is_matched ? tie.identities()[i] : FormerIdentity();
   }
   return landmarks;
 }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "limpet/objects/former_identity.hpp"
 #include "limpet/objects/status_posterior.hpp"
 
 namespace limpet {
@@ -33,23 +34,12 @@ struct ObjectEstimate {
   }
 };
 
-/// A former session's object that a landmark may be.
-struct FormerCandidate {
-  int id = 0;  ///< of the FormerObject
-  double probability = 0.0;
-};
-
 /// An object as the smoother knows it: enough detections and parallax have made it one.
 struct Landmark {
   int id = 0;
   ObjectEstimate object;
-  int detections = 0;                           ///< associated with it: boxes, several of one look
-  std::optional<int> former_id = std::nullopt;  ///< of the FormerObject that it was matched with
-  double former_probability = 1.0;  ///< that it stands where that one stood; else it was moved, or
-                                    ///< that one is gone and this one came
-  /// Not empty: which former object it is, if any, is undecided. What the probabilities leave to
-  /// one is that it is none of them; `former_id` is then the likeliest match, if there is one.
-  std::vector<FormerCandidate> former_candidates = {};
+  int detections = 0;  ///< associated with it: boxes, several of one look
+  FormerIdentity former = {};
 };
 
 /// An object that a former session found, in that session's frame.

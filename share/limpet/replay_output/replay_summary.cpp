@@ -13,7 +13,7 @@ namespace {
 
 std::string FormerSummary(const ReplayResult& result, const FormerSession& former) {
   const auto matched = std::ranges::count_if(
-      result.landmarks, [](const Landmark& landmark) { return landmark.former_id.has_value(); });
+      result.landmarks, [](const Landmark& landmark) { return landmark.former.id.has_value(); });
   const FrameOffset& offset = result.former_offset;
   return fmt::format(
       "former session: {} of {} objects recognised; its frame lies {:.2f} m north, {:.2f} m east, "

@@ -64,7 +64,7 @@ std::string StatesCsv(const std::vector<TimedStates>& all) {
 std::string MatchesCsv(const std::vector<Landmark>& landmarks) {
   std::string text = "landmark,former\n";
   for (const Landmark& landmark : landmarks) {
-    text += fmt::format("{},{}\n", landmark.id, landmark.former_id.value_or(-1));
+    text += fmt::format("{},{}\n", landmark.id, landmark.former.id.value_or(-1));
   }
   return text;
 }

@@ -99,11 +99,11 @@ void to_json(nlohmann::json& out, const Landmark& landmark) {
   out = {{"id", landmark.id},
          {"looks", landmark.detections},
          {"is_confirmed", true},
-         {"prior_id", landmark.former_id.value_or(kNoId)}};
-  if (landmark.former_id && landmark.former_probability < 1.0) {
-    out["prior_p"] = landmark.former_probability;
+         {"prior_id", landmark.former.id.value_or(kNoId)}};
+  if (landmark.former.id && landmark.former.probability < 1.0) {
+    out["prior_p"] = landmark.former.probability;
   }
-  for (const FormerCandidate& candidate : landmark.former_candidates) {
+  for (const FormerCandidate& candidate : landmark.former.candidates) {
     out["prior_candidates"].push_back({{"id", candidate.id}, {"p", candidate.probability}});
   }
   AddEstimate(landmark.object, out);
@@ -113,10 +113,9 @@ void from_json(const nlohmann::json& in, Landmark& landmark) {
   landmark = {.id = in.at("id"),
               .object = EstimateFrom(in),
               .detections = in.at("looks"),
-              .former_id = IdFrom(in.at("prior_id")),
-              .former_probability = in.value("prior_p", 1.0)};
+              .former = {.id = IdFrom(in.at("prior_id")), .probability = in.value("prior_p", 1.0)}};
   for (const nlohmann::json& candidate : in.value("prior_candidates", nlohmann::json::array())) {
-    landmark.former_candidates.push_back(
+    landmark.former.candidates.push_back(
         {.id = candidate.at("id"), .probability = candidate.at("p")});
   }
 }

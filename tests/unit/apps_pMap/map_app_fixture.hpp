@@ -80,7 +80,7 @@ class MapAppTest : public ::testing::Test {
     for (const trial::Sphere& sphere : spheres) {
       landmarks.landmarks.push_back(LandmarkOf(sphere));
       const auto former = former_of.find(sphere.landmark.value());
-      if (former != former_of.end()) landmarks.landmarks.back().former_id = former->second;
+      if (former != former_of.end()) landmarks.landmarks.back().former.id = former->second;
     }
     link_.Send(app_, topics::kNavLandmarks, landmarks);
     link_.time += Seconds(1.0);

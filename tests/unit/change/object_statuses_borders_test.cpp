@@ -17,7 +17,7 @@ class ObjectStatusesBorders : public ObjectStatusesTest {
   /// Landmarks of two passes, that far apart.
   std::size_t CountOfTwo(double apart, std::optional<int> former_a = {},
                          std::optional<int> former_b = {}) {
-    const Real a{At(4.0, 0.5), 1, former_a}, b{At(4.0 + apart, 0.5), 2, former_b};
+    const Real a{At(4.0, 0.5), 1, {.id = former_a}}, b{At(4.0 + apart, 0.5), 2, {.id = former_b}};
     Fly(0.0, {a});
     Fly(0.0, {b});
     Landmarks({a, b});

@@ -26,8 +26,7 @@ class ObjectStatusesTest : public ::testing::Test {
   struct Real {
     ObjectEstimate object;
     std::optional<int> landmark{};
-    std::optional<int> former_id = std::nullopt;
-    std::vector<FormerCandidate> candidates = {};
+    FormerIdentity former = {};
   };
   void Fly(double east, const std::vector<Real>& objects, double detects = 1.0) {
     for (double north = -4.0; north <= 12.0; north += 0.125, time_ += 0.25) {
@@ -67,8 +66,7 @@ class ObjectStatusesTest : public ::testing::Test {
       known.push_back({.id = *real.landmark,
                        .object = real.object,
                        .detections = 10 - *real.landmark,
-                       .former_id = real.former_id,
-                       .former_candidates = real.candidates});
+                       .former = real.former});
     }
     statuses_.SetLandmarks(known);
   }

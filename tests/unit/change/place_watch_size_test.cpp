@@ -56,7 +56,7 @@ TEST_P(ObjectSizeTest, OneThatPNavKnowsIsAnObjectOfTheMap) {
 
 TEST_P(ObjectSizeTest, OneThatIsGoneIsRemovedAndOneThatStaysConfirmed) {
   const ObjectEstimate gone = Sized(At(1.0, 0.3), GetParam());
-  const Real stays{Sized(At(6.0, -0.3), GetParam()), 1, 8};
+  const Real stays{Sized(At(6.0, -0.3), GetParam()), 1, {.id = 8}};
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, gone), Former(8, stays.object)});
   FlyOver({stays.object}, GetParam());
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Radius, ObjectSizeTest, ::testing::Values(0.2, 0.3, 0.5
 /// As files of sessions before sizes were estimated have it.
 TEST_F(ObjectStatusesTest, AnObjectWithoutASizeIsAsLargeAsTheMissionSays) {
   statuses_.SetFormer({Former(7, At(4.4, 0.2))});
-  const Real real{At(4, 0.5), 1, 7};
+  const Real real{At(4, 0.5), 1, {.id = 7}};
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));

@@ -14,7 +14,8 @@ class StatusFormerTest : public ObjectStatusesTest {};
 TEST_F(StatusFormerTest, AnObjectThatAnotherColourReplacedIsRemoved) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(7, 0.0)), Former(9, At(4, 0.5))});
-  const std::vector<Real> now{{At(0, 0.5), 1, 7}, {At(7, 0.0), 2, 8}, {At(4, 0.5, "orange"), 3}};
+  const std::vector<Real> now{
+      {At(0, 0.5), 1, {.id = 7}}, {At(7, 0.0), 2, {.id = 8}}, {At(4, 0.5, "orange"), 3}};
   Fly(0.0, now);
   Landmarks(now);
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed,
@@ -24,7 +25,8 @@ TEST_F(StatusFormerTest, AnObjectThatAnotherColourReplacedIsRemoved) {
 TEST_F(StatusFormerTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(0, 0.5)), Former(8, At(8, 0.0)), Former(9, At(4, 0.5))});
-  const std::vector<Real> now{{At(0, 0.5), 1, 7}, {At(8, 0.0), 2, 8}, {At(4, -1.0), 3}};
+  const std::vector<Real> now{
+      {At(0, 0.5), 1, {.id = 7}}, {At(8, 0.0), 2, {.id = 8}}, {At(4, -1.0), 3}};
   Fly(0.0, now);
   Landmarks(now);
   EXPECT_THAT(Decided(),
@@ -33,7 +35,7 @@ TEST_F(StatusFormerTest, AnObjectThatStandsBesideItsFormerPlaceHasMoved) {
 
 TEST_F(StatusFormerTest, AFormerObjectThatIsStillThereIsConfirmed) {
   statuses_.SetFormer({Former(7, At(4.4, 0.2))});
-  const Real real{At(4, 0.5), 1, 7};
+  const Real real{At(4, 0.5), 1, {.id = 7}};
   Fly(0.0, {real});
   Landmarks({real});
   ASSERT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed));
@@ -164,7 +166,7 @@ TEST_F(StatusFormerTest, JudgedAgainItDoesNotDependOnHowItCameToKnow) {
 TEST_F(StatusFormerTest, AnObjectThatMovedIsOneStoryNotTwo) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(4, -1.2)), Former(8, At(9, 0)), Former(9, At(0, 0))});
-  const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2, 8}, {At(0, 0), 3, 9}};
+  const std::vector<Real> now{{At(4, 1.1), 1}, {At(9, 0), 2, {.id = 8}}, {At(0, 0), 3, {.id = 9}}};
   Fly(-0.5, now);
   Fly(0.5, now);
   Landmarks(now);
@@ -176,7 +178,7 @@ TEST_F(StatusFormerTest, AnObjectThatMovedIsOneStoryNotTwo) {
 TEST_F(StatusFormerTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
   statuses_.SetFormer({Former(7, At(4, 0.5)), Former(8, At(9, 0))});
   const int before = statuses_.Assess()[1].id;
-  const Real real{At(9, 0.2), 1, 8};
+  const Real real{At(9, 0.2), 1, {.id = 8}};
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_EQ(statuses_.Assess()[1].id, before);
@@ -185,7 +187,7 @@ TEST_F(StatusFormerTest, KeepsAnObjectsIdWhenItIsFoundAgain) {
 /// Which landmark is which former object is pNav's to say, however near another one stands.
 TEST_F(StatusFormerTest, BelievesTheMatchThatItIsTold) {
   statuses_.SetFormer({Former(7, At(4, 0.2)), Former(8, At(4, 1.4))});
-  const std::vector<Real> now{{At(4, 0.8), 1, 8}};
+  const std::vector<Real> now{{At(4, 0.8), 1, {.id = 8}}};
   Fly(0.5, now);
   Landmarks(now);
   const std::vector<OpiBelief> objects = statuses_.Assess();
@@ -207,7 +209,7 @@ TEST_F(StatusFormerTest, ALandmarkAtAFormerPlaceIsNewIfItIsToldToBeAnother) {
 
 TEST_F(StatusFormerTest, TheFrameThatDriftedHalfAMetreIsThatOfTheMatches) {
   statuses_.SetFormer({Former(7, At(0, 0.0)), Former(8, At(4, 0.5)), Former(9, At(8, 0.2))});
-  const std::vector<Real> now{{At(0.5, 0.0), 1, 7}, {At(8.5, 0.2), 3, 9}};
+  const std::vector<Real> now{{At(0.5, 0.0), 1, {.id = 7}}, {At(8.5, 0.2), 3, {.id = 9}}};
   Fly(0.0, now);
   Landmarks(now);
   EXPECT_NEAR(statuses_.offset().shift_W.x(), 0.5, 0.05);
@@ -220,7 +222,7 @@ TEST_F(StatusFormerTest, TheFrameThatDriftedHalfAMetreIsThatOfTheMatches) {
 TEST_F(StatusFormerTest, AnUndecidedLandmarkIsNeitherSurelyNewNorConfirmed) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(4, -0.5))});
-  const Real real{At(4, 1.2), 1, std::nullopt, {{.id = 7, .probability = 0.6}}};
+  const Real real{At(4, 1.2), 1, {.candidates = {{.id = 7, .probability = 0.6}}}};
   Fly(0.5, {real});
   Landmarks({real});
   const std::vector<OpiBelief> objects = statuses_.Assess();
@@ -238,7 +240,7 @@ TEST_F(StatusFormerTest, AnUndecidedLandmarkIsNeitherSurelyNewNorConfirmed) {
 TEST_F(StatusFormerTest, WhatMovedOrStayedIsThereAllTheSame) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(4, 0.0))});
-  const Real real{At(4, 0.7), 1, 7, {{7, 0.6}}};
+  const Real real{At(4, 0.7), 1, {.id = 7, .candidates = {{7, 0.6}}}};
   Fly(0.5, {real});
   Landmarks({real});
   const std::vector<OpiBelief> objects = statuses_.Assess();
@@ -251,7 +253,7 @@ TEST_F(StatusFormerTest, WhatMovedOrStayedIsThereAllTheSame) {
 TEST_F(StatusFormerTest, OneOfTwoCloseFormerObjectsIsLeftAndNobodyKnowsWhich) {
   FormerLookedEverywhere();
   statuses_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 0.9))});
-  const Real real{At(4, 0.4), 1, 7, {{7, 0.55}, {8, 0.45}}};
+  const Real real{At(4, 0.4), 1, {.id = 7, .candidates = {{7, 0.55}, {8, 0.45}}}};
   Fly(0.5, {real});
   Landmarks({real});
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kUncertain, Status::kUncertain));
@@ -262,8 +264,8 @@ TEST_F(StatusFormerTest, OneOfTwoCloseFormerObjectsIsLeftAndNobodyKnowsWhich) {
 /// Which is which does not matter then.
 TEST_F(StatusFormerTest, TwoCloseFormerObjectsThatAreBothStillThereAreConfirmed) {
   statuses_.SetFormer({Former(7, At(4, 0.0)), Former(8, At(4, 1.0))});
-  const std::vector<Real> now{{At(4, 0.1), 1, 7, {{7, 0.6}, {8, 0.4}}},
-                              {At(4, 1.1), 2, 8, {{7, 0.4}, {8, 0.6}}}};
+  const std::vector<Real> now{{At(4, 0.1), 1, {.id = 7, .candidates = {{7, 0.6}, {8, 0.4}}}},
+                              {At(4, 1.1), 2, {.id = 8, .candidates = {{7, 0.4}, {8, 0.6}}}}};
   Fly(0.5, now);
   Landmarks(now);
   EXPECT_THAT(Decided(), ::testing::ElementsAre(Status::kConfirmed, Status::kConfirmed));
@@ -273,7 +275,7 @@ TEST_F(StatusFormerTest, AMatchIsKeptWhenItsLandmarkIsMergedIntoAnother) {
   statuses_.SetFormer({Former(7, At(4, 0.5))});
   Fly(0.0, {{At(4, 0.5), 1}});
   Fly(0.5, {{At(4, 0.5), 2}});
-  Landmarks({{At(4, 0.5), 1}, {At(4.6, 0.9), 2, 7}});
+  Landmarks({{At(4, 0.5), 1}, {At(4.6, 0.9), 2, {.id = 7}}});
   ASSERT_EQ(statuses_.Assess().size(), 1U);
   EXPECT_EQ(statuses_.Assess()[0].landmark, 1);
   EXPECT_EQ(statuses_.Assess()[0].decided, Status::kConfirmed);
@@ -282,7 +284,7 @@ TEST_F(StatusFormerTest, AMatchIsKeptWhenItsLandmarkIsMergedIntoAnother) {
 TEST_F(StatusFormerTest, MatchesWithAnotherFormerSessionSayNothing) {
   FormerLookedEverywhere();
   statuses_.SetFormer({});
-  const Real real{At(4, 0.5), 1, 99};
+  const Real real{At(4, 0.5), 1, {.id = 99}};
   Fly(0.0, {real});
   Landmarks({real});
   EXPECT_EQ(statuses_.Assess()[0].former_id, std::nullopt);

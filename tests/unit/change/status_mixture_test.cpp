@@ -56,7 +56,7 @@ std::vector<OpiBelief> AssessedWith(double chance) {
       {{.id = kFormer, .object = YellowAt(4.0, -0.5), .log_likelihood_ratio = 8.0, .looks = 5}});
   statuses.SetFormerViews(std::move(views));
   Landmark landmark{.id = 1, .object = seen, .detections = 9};
-  if (chance > 0.0) landmark.former_candidates = {{.id = kFormer, .probability = chance}};
+  if (chance > 0.0) landmark.former.candidates = {{.id = kFormer, .probability = chance}};
   statuses.SetLandmarks({landmark});
   return statuses.Assess();
 }

@@ -73,8 +73,10 @@ class Dive {
     for (std::size_t i = 0; i < objects_.size(); ++i) {
       if (boxes_[i] < 3) continue;
       const int id = static_cast<int>(i) + 1;
-      landmarks.push_back(
-          {.id = id, .object = objects_[i].object(), .detections = boxes_[i], .former_id = id});
+      landmarks.push_back({.id = id,
+                           .object = objects_[i].object(),
+                           .detections = boxes_[i],
+                           .former = {.id = id}});
     }
     statuses_.SetLandmarks(landmarks);
   }

@@ -30,8 +30,10 @@ struct Field {
     std::vector<Landmark> landmarks;
     for (const FieldObject& one : objects) {
       if (!one.landmark) continue;
-      landmarks.push_back(
-          {.id = *one.landmark, .object = one.object, .detections = 10, .former_id = one.former});
+      landmarks.push_back({.id = *one.landmark,
+                           .object = one.object,
+                           .detections = 10,
+                           .former = {.id = one.former}});
     }
     return landmarks;
   }

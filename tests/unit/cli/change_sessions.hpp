@@ -88,7 +88,7 @@ class ChangeVerbTest : public ::testing::Test {
                                                 .cov_W = kCovariance.asDiagonal(),
                                                 .color = sphere.color},
                                      .detections = 9,
-                                     .former_id = FormerOf(session, sphere)});
+                                     .former = {.id = FormerOf(session, sphere)}});
     }
     Say(community, topics::kNavLandmarks, landmarks);
     Wait(community, 1.0);

@@ -40,9 +40,9 @@ class FormerMatchingTest : public ::testing::Test {
   [[nodiscard]] std::size_t CountMatched() {
     std::set<int> matched;
     for (const Landmark& landmark : dive_.navigator().Landmarks()) {
-      if (!landmark.former_id || !landmark.former_candidates.empty()) continue;
-      EXPECT_TRUE(matched.insert(*landmark.former_id).second) << "one former object of two";
-      const auto i = static_cast<std::size_t>(*landmark.former_id - 41);
+      if (!landmark.former.is_decided()) continue;
+      EXPECT_TRUE(matched.insert(*landmark.former.id).second) << "one former object of two";
+      const auto i = static_cast<std::size_t>(*landmark.former.id - 41);
       EXPECT_EQ(landmark.object.color, kFarSpheres[i].color);
     }
     return matched.size();

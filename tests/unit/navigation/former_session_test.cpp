@@ -80,12 +80,20 @@ std::pair<Eigen::VectorXd, Eigen::MatrixXd> Together(const PresentLandmarks& pre
   return {covariance * pull, covariance};
 }
 
+/// What each present landmark was matched with.
+std::vector<std::optional<int>> IdsOf(const FormerSessionTie& tie) {
+  std::vector<std::optional<int>> ids;
+  for (const FormerIdentity& identity : tie.identities())
+    ids.push_back(identity.id);
+  return ids;
+}
+
 TEST(FormerSessionTie, FindsAShiftOfMetresAndATurnOfManyDegrees) {
   FormerSessionTie tie({.datum_sigma = Meters(8.0), .datum_turn_sigma = Radians(0.3)});
   tie.SetFormer(Former());
   FrameOffset truth{.shift_W = {5.0, -3.0}, .turn = 0.2, .pivot_W = {1.5, 0.75}};
   ASSERT_TRUE(tie.Match(Present(kPlaces, truth), std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 2, 3, 4));
   EXPECT_NEAR(tie.offset().shift_W.x(), 5.0, 0.05);
   EXPECT_NEAR(tie.offset().shift_W.y(), -3.0, 0.05);
   EXPECT_NEAR(tie.offset().turn, 0.2, 0.01);
@@ -103,7 +111,7 @@ TEST(FormerSessionTie, FindsAFrameThatLiesElsewhereWithoutBeingTold) {
   const PresentLandmarks present = Present(places, truth);
   ASSERT_TRUE(tie.Match(present, std::nullopt));
   EXPECT_TRUE(tie.is_elsewhere());
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
   EXPECT_NEAR(tie.offset().turn, 0.7, 0.01);
   // It says nothing of where the places are: no surer than by this session's fixes alone.
   const auto [where, covariance] = Together(present, *tie.prior());
@@ -156,7 +164,8 @@ TEST(FormerSessionTie, KnowsFourObjectsThatAgreeWhereFixesWereWorseThanTheySay) 
     PresentLandmarks present = Present(places, off, 0.3);
     present.covariance = JointOf(present.objects, 0.3, 0.01, 0.1);
     EXPECT_TRUE(tie.Match(present, std::nullopt));
-    return std::ranges::count_if(tie.former_ids(), [](const auto& id) { return id.has_value(); });
+    return std::ranges::count_if(tie.identities(),
+                                 [](const auto& one) { return one.id.has_value(); });
   };
   EXPECT_EQ(known({{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}, {-3.0, 8.0}}), 4);
   EXPECT_FALSE(tie.is_elsewhere());
@@ -198,7 +207,7 @@ TEST(FormerSessionTie, IsNotDraggedByWhatWentCameOrMoved) {
   // The first and the last are where they were; the second moved by 2 m, one is new.
   ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[3], {2.0, 12.0}, {-3.0, 11.0}}, off), {}));
   ASSERT_TRUE(undisturbed.Match(Present({kPlaces[0], kPlaces[3]}, off), {}));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 4, std::nullopt, std::nullopt));
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 4, std::nullopt, std::nullopt));
   EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
   EXPECT_LT((tie.offset().vector() - undisturbed.offset().vector()).norm(), 0.005);
 }
@@ -229,11 +238,11 @@ TEST(FormerSessionTie, DoesNotAskALandmarkWhosePlaceAmongTheOthersIsNotKnown) {
   PresentLandmarks present = Present({kPlaces[0], kPlaces[1], kPlaces[2], {-4.5, -4.0}});
   present.covariance.block<2, 2>(9, 9) += 4.0 * Eigen::Matrix2d::Identity();
   ASSERT_TRUE(tie.Match(present, std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, std::nullopt));
-  ASSERT_EQ(tie.candidates()[3].size(), 1U) << "but it may be the fourth";
-  EXPECT_EQ(tie.candidates()[3][0].id, 4);
-  EXPECT_GT(tie.candidates()[3][0].probability, 0.1);
-  EXPECT_LT(tie.candidates()[3][0].probability, 0.9);
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 2, 3, std::nullopt));
+  ASSERT_EQ(tie.identities()[3].candidates.size(), 1U) << "but it may be the fourth";
+  EXPECT_EQ(tie.identities()[3].candidates[0].id, 4);
+  EXPECT_GT(tie.identities()[3].candidates[0].probability, 0.1);
+  EXPECT_LT(tie.identities()[3].candidates[0].probability, 0.9);
   EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11, 12));
 }
 
@@ -243,7 +252,7 @@ TEST(FormerSessionTie, ALandmarkThatFitsNoFormerObjectIsNoCandidate) {
   PresentLandmarks present = Present({kPlaces[0], kPlaces[1], kPlaces[2], {9.0, 12.0}});
   present.covariance.block<2, 2>(9, 9) += 1.0 * Eigen::Matrix2d::Identity();
   ASSERT_TRUE(tie.Match(present, std::nullopt));
-  EXPECT_THAT(tie.candidates()[3], ::testing::IsEmpty());
+  EXPECT_THAT(tie.identities()[3].candidates, ::testing::IsEmpty());
 }
 
 TEST(FormerSessionTie, DecidesThroughADriftOfHalfAMetre) {
@@ -251,9 +260,9 @@ TEST(FormerSessionTie, DecidesThroughADriftOfHalfAMetre) {
   tie.SetFormer(Former());
   const FrameOffset drift{.shift_W = {0.4, -0.3}, .turn = 0.01, .pivot_W = {}};
   ASSERT_TRUE(tie.Match(Present({kPlaces[0], kPlaces[2], kPlaces[3]}, drift), std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 3, 4));
-  for (const auto& candidates : tie.candidates())
-    EXPECT_THAT(candidates, ::testing::IsEmpty());
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 3, 4));
+  for (const FormerIdentity& identity : tie.identities())
+    EXPECT_TRUE(identity.is_decided());
 }
 
 /// Alone, one object of two that stand a metre apart may be either: the frames may be off by that.
@@ -264,9 +273,11 @@ TEST(FormerSessionTie, DoesNotDecideWhichOfTwoCloseFormerObjectsIsLeft) {
   FormerSessionTie tie({});
   tie.SetFormer(former);
   ASSERT_TRUE(tie.Match(Present({{4.0, 1.4}}), std::nullopt));
-  ASSERT_EQ(tie.candidates()[0].size(), 2U);
-  EXPECT_NEAR(tie.candidates()[0][0].probability + tie.candidates()[0][1].probability, 1.0, 1e-9);
-  EXPECT_EQ(tie.former_ids()[0], 1) << "the likelier one";
+  ASSERT_EQ(tie.identities()[0].candidates.size(), 2U);
+  EXPECT_NEAR(
+      tie.identities()[0].candidates[0].probability + tie.identities()[0].candidates[1].probability,
+      1.0, 1e-9);
+  EXPECT_EQ(tie.identities()[0].id, 1) << "the likelier one";
   EXPECT_FALSE(tie.prior());
 }
 
@@ -280,8 +291,8 @@ TEST(FormerSessionTie, DecidesWhichOfTwoCloseFormerObjectsIsLeftIfOthersPinTheFr
   tie.SetFormer(former);
   const FrameOffset drift{.shift_W = {0.3, 0.4}, .turn = 0.0, .pivot_W = {}};
   ASSERT_TRUE(tie.Match(Present({{4, 2}, {-6, -5}, {6, -9}, {-2, 10}}, drift), std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(2, 3, 4, 5));
-  EXPECT_THAT(tie.candidates()[0], ::testing::IsEmpty());
+  EXPECT_THAT(IdsOf(tie), ElementsAre(2, 3, 4, 5));
+  EXPECT_THAT(tie.identities()[0].candidates, ::testing::IsEmpty());
 }
 
 /// Over random fields: chances are chances, what is decided has no candidates, and an undecided
@@ -305,7 +316,7 @@ TEST(FormerSessionTieProperties, CandidatesAreChancesOfWhatIsNotDecided) {
     ASSERT_TRUE(tie.Match(present, std::nullopt));
     for (std::size_t j = 0; j < places.size(); ++j) {
       double sum = 0.0;
-      for (const FormerCandidate& candidate : tie.candidates()[j]) {
+      for (const FormerCandidate& candidate : tie.identities()[j].candidates) {
         EXPECT_GE(candidate.id, 1);
         EXPECT_LE(candidate.id, 4);
         EXPECT_LT(candidate.probability, 1.0);
@@ -314,7 +325,7 @@ TEST(FormerSessionTieProperties, CandidatesAreChancesOfWhatIsNotDecided) {
       EXPECT_LE(sum, 1.0 + 1e-9);
       const bool is_tied =
           tie.prior() && std::ranges::count(tie.prior()->slots(), 10 + static_cast<int>(j)) > 0;
-      EXPECT_FALSE(is_tied && !tie.candidates()[j].empty()) << trial;
+      EXPECT_FALSE(is_tied && !tie.identities()[j].candidates.empty()) << trial;
     }
   }
 }
@@ -328,7 +339,7 @@ TEST(FormerSessionTie, LetsGoOfALandmarkThatHasComeInDoubt) {
   present.covariance = Together(present, applied).second;
   present.others = 1;  // the last one
   ASSERT_TRUE(tie.Match(present, applied));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, std::nullopt));
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 2, std::nullopt));
   EXPECT_THAT(tie.prior()->slots(), ElementsAre(10, 11));
 }
 
@@ -340,7 +351,7 @@ TEST(FormerSessionTie, TwoThatLieAlikeAmongManyThatDoNotAreChance) {
     places.emplace_back(-40.0 - 3.0 * (i / 6), 20.0 + 5.0 * (i % 6));
   ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
   EXPECT_FALSE(tie.prior()) << "of this place more would be known";
-  EXPECT_THAT(tie.former_ids(), Each(std::nullopt));
+  EXPECT_THAT(IdsOf(tie), Each(std::nullopt));
   places.resize(4);
   ASSERT_TRUE(tie.Match(Present(places), std::nullopt));
   EXPECT_TRUE(tie.prior()) << "two of four";
@@ -350,7 +361,7 @@ TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
   FormerSessionTie tie({});
   tie.SetFormer(Former());
   ASSERT_TRUE(tie.Match(Present({kPlaces[2]}), std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(3));
+  EXPECT_THAT(IdsOf(tie), ElementsAre(3));
   EXPECT_FALSE(tie.prior());
 }
 
@@ -362,7 +373,7 @@ TEST(FormerSessionTie, LivesWithCovariancesThatAreNone) {
   FormerSessionTie tie({});
   tie.SetFormer(broken);
   ASSERT_TRUE(tie.Match(Present(kPlaces), std::nullopt));
-  EXPECT_THAT(tie.former_ids(), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(IdsOf(tie), ElementsAre(1, 2, 3, 4));
 }
 
 TEST(FormerSessionTie, HasNothingToSayWithoutFormerObjects) {

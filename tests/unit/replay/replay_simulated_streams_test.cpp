@@ -310,7 +310,7 @@ TEST_P(LaterSession, KnowsEveryObjectThatStayedAgainAndNoOther) {
   for (const Landmark& l : result.landmarks) {
     const int truth = TrueIdOf(l, result, now_.truth);
     const bool was_known = std::ranges::count(former_.ids, truth) > 0;
-    EXPECT_EQ(l.former_id, was_known ? std::optional(truth) : std::nullopt);
+    EXPECT_EQ(l.former.id, was_known ? std::optional(truth) : std::nullopt);
   }
 }
 
@@ -326,7 +326,7 @@ TEST_P(LaterSession, FindsAFrameThatLiesMetresOffAndTurned) {
   const ReplayResult there = Replay(now_.stream, params, NoClock, {}, moved);
   ASSERT_EQ(there.landmarks.size(), here.landmarks.size());
   for (std::size_t i = 0; i < here.landmarks.size(); ++i) {
-    EXPECT_EQ(there.landmarks[i].former_id, here.landmarks[i].former_id);
+    EXPECT_EQ(there.landmarks[i].former.id, here.landmarks[i].former.id);
   }
   const double alone = ErrorOf(Survey({}).smoothed, now_.truth).absolute;
   EXPECT_LT(ErrorOf(there.smoothed, now_.truth).absolute, alone + 0.1);

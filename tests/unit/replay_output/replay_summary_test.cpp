@@ -60,7 +60,7 @@ TEST(ReplaySummary, SaysADepthSensorThatWasNotZeroed) {
 TEST(ReplaySummary, CountsTheObjectsKnownAgain) {
   ReplayResult result = Fixed();
   result.landmarks.resize(3);
-  result.landmarks[1].former_id = 7;
+  result.landmarks[1].former.id = 7;
   FormerSession former;
   EXPECT_THAT(SummaryOf(result, former), Not(HasSubstr("former session")));
   former.ids = {7, 8};

@@ -31,7 +31,7 @@ TEST(ReplayTables, StatesHaveALineEachWithTheirSigma) {
 
 TEST(ReplayTables, AnObjectThatNoFormerSessionKnewIsMatchedWithNone) {
   std::vector<Landmark> landmarks(2);
-  landmarks[0].id = 4, landmarks[0].former_id = 9;
+  landmarks[0].id = 4, landmarks[0].former.id = 9;
   landmarks[1].id = 5;
   EXPECT_EQ(MatchesCsv(landmarks), "landmark,former\n4,9\n5,-1\n");
 }

@@ -51,11 +51,11 @@ class Maker {
   }
   void Fill(Landmarks& out) {
     for (std::size_t i = Few(); i > 0; --i) {
-      out.landmarks.push_back({.id = Whole(),
-                               .object = Object(),
-                               .detections = Whole(),
-                               .former_id = Whole(),
-                               .former_candidates = {{Whole(), 0.25}, {Whole(), 0.5}}});
+      out.landmarks.push_back(
+          {.id = Whole(),
+           .object = Object(),
+           .detections = Whole(),
+           .former = {.id = Whole(), .candidates = {{Whole(), 0.25}, {Whole(), 0.5}}}});
     }
   }
   void Fill(LandmarkJoint& out) { out = {{Whole(), Whole()}, Symmetric(6)}; }

@@ -108,14 +108,14 @@ TEST(WireForm, OfALandmarkThatIsNotConfirmedSaysNone) {
 
 TEST(WireForm, OfAnUndecidedLandmarkSaysWhatItMayBe) {
   Landmark landmark;
-  landmark.former_candidates = {{7, 0.5}, {8, 0.25}};
+  landmark.former.candidates = {{7, 0.5}, {8, 0.25}};
   const auto decoded = TopicCodec<Landmarks>::Decode(TopicCodec<Landmarks>::Encode({{landmark}}));
   ASSERT_TRUE(decoded);
   const Landmark& same = decoded->landmarks.at(0);
-  EXPECT_FALSE(same.former_id);
-  ASSERT_EQ(same.former_candidates.size(), 2U);
-  EXPECT_EQ(same.former_candidates[1].id, 8);
-  EXPECT_EQ(same.former_candidates[1].probability, 0.25);
+  EXPECT_FALSE(same.former.id);
+  ASSERT_EQ(same.former.candidates.size(), 2U);
+  EXPECT_EQ(same.former.candidates[1].id, 8);
+  EXPECT_EQ(same.former.candidates[1].probability, 0.25);
 }
 
 TEST(WireForm, OfObjectsStays) {
