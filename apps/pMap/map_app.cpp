@@ -229,7 +229,7 @@ void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
          fmt::format("where the former session looked is not used, nothing will be called new: {}",
                      error.what()));
   }
-  statuses_.SetFormer(prior.value.opis);
+  statuses_.SetFormer(prior.value.former.objects);
 }
 
 void MapApp::OnPriorMap(const Stamped<PackedBytes>& prior) {

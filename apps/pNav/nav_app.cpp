@@ -181,14 +181,10 @@ void NavApp::OnDetections(const Stamped<Detections>& detections) {
 }
 
 void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {
-  FormerSession former;
-  for (const FormerObject& opi : prior.value.opis) {
-    former.ids.push_back(opi.id);
-    former.objects.push_back(opi.object);
-  }
-  if (prior.value.joint_cov_W.rows() == static_cast<Eigen::Index>(3 * former.ids.size())) {
-    former.covariance = prior.value.joint_cov_W;
-  }
+  FormerSession former = prior.value.former;
+  const bool is_of_all =
+      former.joint_cov_W.rows() == static_cast<Eigen::Index>(3 * former.objects.size());
+  if (!is_of_all) former.joint_cov_W = {};
   navigator_.SetFormerSession(std::move(former));
 }
 

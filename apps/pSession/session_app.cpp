@@ -139,7 +139,7 @@ void SessionApp::LoadFormer() {
   prior_ = PriorWithParameters(former);
   prior_map_ = former.memory.map;
   memory_.former = FormerFactsOf(former.facts);
-  former_ = Former{prior_->session, prior_->opis.size(), prior_->views.size()};
+  former_ = Former{prior_->session, prior_->former.objects.size(), prior_->views.size()};
 }
 
 void SessionApp::CopyMission() {

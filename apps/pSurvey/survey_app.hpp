@@ -54,7 +54,9 @@ class SurveyApp final : public App {
   /// Where the helm finds nothing worth flying to but home, the survey is over.
   void OnPath(const Stamped<HelmPath>& path);
   /// Two objects tie two sessions' frames; one alone could be a mistake.
-  void OnPrior(const Stamped<SessionPrior>& prior) { has_former_ = prior.value.opis.size() >= 2; }
+  void OnPrior(const Stamped<SessionPrior>& prior) {
+    has_former_ = prior.value.former.objects.size() >= 2;
+  }
   void OnRevisits(const Stamped<HelmRevisits>& revisits) { revisits_ = revisits.value; }
   void OnGivesUp(const Stamped<bool>& gives_up) {
     given_up_since_ = gives_up.value ? std::optional(now()) : std::nullopt;

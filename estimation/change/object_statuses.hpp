@@ -13,6 +13,7 @@
 #include "estimation/change/place_watch.hpp"
 #include "estimation/change/status.hpp"
 #include "estimation/change/tentative_objects.hpp"
+#include "limpet/objects/former_session.hpp"
 #include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {

@@ -57,11 +57,8 @@ void ObjectStatuses::TakeCandidates(const Landmark& landmark, std::size_t object
 }
 
 void ObjectStatuses::TakeMatches() {
-  std::vector<ObjectEstimate> former;
+  std::vector<ObjectEstimate> former = EstimatesOf(*former_);
   std::vector<ObjectEstimate> now;
-  for (const FormerObject& object : *former_) {
-    former.push_back(object.object);
-  }
   for (const Landmark& object : objects_) {
     now.push_back(object.object);
   }

@@ -31,33 +31,33 @@ double DensityThere(const ObjectEstimate& former, const ObjectEstimate& landmark
 
 }  // namespace
 
-std::vector<FormerCandidate> RivalCandidates(const FormerObjects& former, const SessionMatch& match,
-                                             int now) {
+std::vector<FormerCandidate> RivalCandidates(const std::vector<FormerObject>& former,
+                                             const SessionMatch& match, int now) {
   std::vector<FormerCandidate> candidates;
-  for (std::size_t i = 0; i < former.ids.size(); ++i) {
+  for (std::size_t i = 0; i < former.size(); ++i) {
     const double chance = match.chance(static_cast<Eigen::Index>(i), now);
     if (match.now_of_former[i] == now && chance >= kDecidedMatch) return {};
-    if (chance > 1.0 - kDecidedMatch) candidates.push_back({former.ids[i], chance});
+    if (chance > 1.0 - kDecidedMatch) candidates.push_back({former[i].id, chance});
   }
   return candidates;
 }
 
-std::vector<FormerCandidate> NearbyCandidates(const FormerObjects& former,
+std::vector<FormerCandidate> NearbyCandidates(const std::vector<FormerObject>& former,
                                               const std::vector<bool>& is_taken,
                                               const ObjectEstimate& landmark,
                                               const SessionMatch& match,
                                               const MatchingParams& params) {
-  std::vector<double> weights(former.ids.size(), 0.0);
+  std::vector<double> weights(former.size(), 0.0);
   double total = kNewDensity;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (is_taken[i]) continue;
-    weights[i] = kFormerStays * DensityThere(former.objects[i], landmark, match, params);
+    weights[i] = kFormerStays * DensityThere(former[i].object, landmark, match, params);
     total += weights[i];
   }
   std::vector<FormerCandidate> candidates;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const double chance = weights[i] / total;
-    if (chance > 1.0 - kDecidedMatch) candidates.push_back({former.ids[i], chance});
+    if (chance > 1.0 - kDecidedMatch) candidates.push_back({former[i].id, chance});
   }
   return candidates;
 }

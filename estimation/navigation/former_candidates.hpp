@@ -6,26 +6,22 @@
 #include <vector>
 
 #include "estimation/matching/session_matching.hpp"
+#include "limpet/objects/former_session.hpp"
 
 namespace limpet {
 
 /// Chance from which on a match is decided; a candidate with less than the rest is none.
 inline constexpr double kDecidedMatch = 0.9;
 
-struct FormerObjects {
-  const std::vector<int>& ids;
-  const std::vector<ObjectEstimate>& objects;  ///< each with its own covariance in its frame
-};
-
 /// Candidates of a landmark that was matched with others in `match`, there the one with index
 /// `now`: by the assignments that rival the best one. Empty if that is decided.
-[[nodiscard]] std::vector<FormerCandidate> RivalCandidates(const FormerObjects& former,
+[[nodiscard]] std::vector<FormerCandidate> RivalCandidates(const std::vector<FormerObject>& former,
                                                            const SessionMatch& match, int now);
 
 /// Candidates of a landmark without a match, among the former objects that `is_taken` leaves: by
 /// how far it is from where the offset puts them, with what is unknown of both places and of the
-/// offset, against how dense new objects lie.
-[[nodiscard]] std::vector<FormerCandidate> NearbyCandidates(const FormerObjects& former,
+/// offset, against how dense new objects lie. `former`: each with its own covariance in its frame.
+[[nodiscard]] std::vector<FormerCandidate> NearbyCandidates(const std::vector<FormerObject>& former,
                                                             const std::vector<bool>& is_taken,
                                                             const ObjectEstimate& landmark,
                                                             const SessionMatch& match,

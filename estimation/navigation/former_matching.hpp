@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "estimation/association/object_tracker.hpp"
-#include "estimation/navigation/former_session.hpp"
+#include "estimation/navigation/former_session_tie.hpp"
 #include "estimation/smoothing/smoother.hpp"
 
 namespace limpet {

@@ -61,8 +61,9 @@ Expected<FormerSession> ParseFormerLandmarks(const StreamFile& landmarks,
   FormerSession former;
   const auto place = [&former](const CsvFields& f) {
     f.Expect(9);
-    former.ids.push_back(f.Integer(0));
-    ObjectEstimate& object = former.objects.emplace_back();
+    FormerObject& known = former.objects.emplace_back();
+    known.id = f.Integer(0);
+    ObjectEstimate& object = known.object;
     object.p_W = {f.Number(1), f.Number(2), f.Number(3)};
     object.cov_W = Eigen::Vector3d(f.Number(4), f.Number(5), f.Number(6)).cwiseAbs2().asDiagonal();
     object.color = f.Text(7);
@@ -72,7 +73,8 @@ Expected<FormerSession> ParseFormerLandmarks(const StreamFile& landmarks,
   std::vector<double> lower;
   std::size_t rows = 0;
   const auto correlate = [&](const CsvFields& f) {
-    if (rows / 3 >= former.ids.size() || f.Integer(0) != former.ids[rows / 3]) {
+    const std::size_t at = rows / 3;
+    if (at >= former.objects.size() || f.Integer(0) != former.objects[at].id) {
       throw BadLine{fmt::format("not the next landmark of {}", landmarks.name)};
     }
     f.Expect(++rows + 2);
@@ -81,11 +83,11 @@ Expected<FormerSession> ParseFormerLandmarks(const StreamFile& landmarks,
   };
   if (auto error = ReadRows(covariance, correlate)) return *std::move(error);
   const auto joint = FromLowerTriangle(lower);
-  if (!joint || rows != 3 * former.ids.size()) {
+  if (!joint || rows != 3 * former.objects.size()) {
     return Error{fmt::format("{}: not three finite rows for each of {} landmarks", covariance.name,
-                             former.ids.size())};
+                             former.objects.size())};
   }
-  former.covariance = *joint;
+  former.joint_cov_W = *joint;
   return former;
 }
 

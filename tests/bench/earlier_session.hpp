@@ -70,11 +70,12 @@ inline EarlierSession EarlierOf(StreamScene& scene, const FormerFrame& frame) {
     if (id && !frame.is_of_another_place) earlier.true_ids[l.id] = *id;
     const Eigen::Vector3d p =
         R * l.object.p_W + shift * Eigen::Vector3d(std::cos(way), std::sin(way), 0.0);
-    earlier.former.ids.push_back(l.id);
     earlier.former.objects.push_back(
-        {.p_W = p, .cov_W = R * l.object.cov_W * R.transpose(), .color = l.object.color});
+        {.id = l.id,
+         .object = {
+             .p_W = p, .cov_W = R * l.object.cov_W * R.transpose(), .color = l.object.color}});
   }
-  Eigen::MatrixXd& covariance = earlier.former.covariance = result.landmark_covariance;
+  Eigen::MatrixXd& covariance = earlier.former.joint_cov_W = result.landmark_covariance;
   for (Eigen::Index i = 0; i + 2 < covariance.rows(); i += 3) {
     covariance.middleRows<3>(i) = (R * covariance.middleRows<3>(i)).eval();
     covariance.middleCols<3>(i) = (covariance.middleCols<3>(i) * R.transpose()).eval();

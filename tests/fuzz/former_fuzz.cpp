@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   const auto former = limpet::ParseFormerLandmarks(landmarks, covariance);
-  if (!former || former->ids.size() > kObjects) {
+  if (!former || former->objects.size() > kObjects) {
     return 0;
   }
   limpet::FormerSessionTie tie({});

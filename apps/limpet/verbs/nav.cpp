@@ -203,7 +203,7 @@ bool WriteResults(const Arguments& given, const Results& results, const FormerSe
       Write(out / "landmarks.csv", LandmarksCsv(result.landmarks)) &&
       Write(out / "landmarks_covariance.csv",
             LandmarkCovarianceCsv(result.landmarks, result.landmark_covariance)) &&
-      (former.ids.empty() || Write(out / "matches.csv", MatchesCsv(result.landmarks))) &&
+      (former.objects.empty() || Write(out / "matches.csv", MatchesCsv(result.landmarks))) &&
       Write(out / "associations.csv", AssociationsCsv(result.associations)) &&
       Write(out / "timing.json", results.timing);
   const std::string name = fs::path(given.positionals().front()).lexically_normal().filename();

@@ -55,7 +55,7 @@ class HistoryKeeper {
 
   void BeginWithFirst() {
     for (const FormerObject& object :
-         PriorOf(sessions_.front().facts, sessions_.front().memory).opis) {
+         PriorOf(sessions_.front().facts, sessions_.front().memory).former.objects) {
       series_.objects.push_back(
           {.color = object.object.color,
            .p_W = object.object.p_W,

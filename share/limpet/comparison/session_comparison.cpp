@@ -56,7 +56,7 @@ ObjectStatuses Compare(const SavedSession& a, const SavedSession& b,
   ObjectStatuses statuses(params.status, params.camera.geometry());
   const SessionPrior prior = PriorFrom(a, block_a);
   statuses.SetFormerViews(FormerViewsOf(prior, params));
-  statuses.SetFormer(prior.opis);
+  statuses.SetFormer(prior.former.objects);
   statuses.SetObstacles(b.memory.obstacles.obstacles);
   FrameGate gate(params.frame_gate());
   const std::vector<std::string> phase_of = PhaseOfFrames(b.memory);
@@ -93,7 +93,7 @@ SessionComparison CompareSessions(const SavedSession& a, const SavedSession& b,
     if (!IsTentative(object)) comparison.objects.push_back(object);
   }
   comparison.offset = statuses.offset();
-  for (const FormerObject& former : PriorOf(a.facts, a.memory).opis)
+  for (const FormerObject& former : PriorOf(a.facts, a.memory).former.objects)
     comparison.former_W[former.id] = comparison.offset.Apply(former.object.p_W);
   return comparison;
 }

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 #include "estimation/matching/own_covariance.hpp"
-#include "estimation/navigation/former_session.hpp"
+#include "estimation/navigation/former_session_tie.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/session/landmark_rows.hpp"
 
@@ -59,11 +58,6 @@ std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession
   if (WasFlownWith(b, a)) {
     return landmarks;
   }
-  FormerSession former{.ids = {}, .objects = {}, .covariance = prior.joint_cov_W};
-  for (const FormerObject& object : prior.opis) {
-    former.ids.push_back(object.id);
-    former.objects.push_back(object.object);
-  }
   PresentLandmarks present{.slots = {}, .objects = {}, .covariance = {}};
   for (const Landmark& landmark : landmarks) {
     present.slots.push_back(landmark.id);
@@ -73,7 +67,7 @@ std::vector<Landmark> MatchedLandmarks(const SavedSession& a, const SavedSession
   const std::optional<Eigen::MatrixXd> kept = CovarianceOf(present.slots, b.memory.landmarks);
   present.covariance = kept ? *kept : JointOfSingles(present.objects);
   FormerSessionTie tie(ParamsOf(b));
-  tie.SetFormer(std::move(former));
+  tie.SetFormer(prior.former);
   const bool is_matched = tie.Match(present, std::nullopt);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     landmarks[i].former = is_matched ? tie.identities()[i] : FormerIdentity();

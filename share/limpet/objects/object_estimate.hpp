@@ -42,15 +42,6 @@ struct Landmark {
   FormerIdentity former = {};
 };
 
-/// An object that a former session found, in that session's frame.
-struct FormerObject {
-  int id = 0;
-  ObjectEstimate object;
-  /// Lambda of the former session: ln P(looks | present) / P(looks | absent).
-  double log_likelihood_ratio = 0.0;
-  int looks = 0;
-};
-
 /// An object of potential interest, as map and smoother together know it.
 struct OpiBelief {
   int id = 0;                      ///< unique in the session and lasting

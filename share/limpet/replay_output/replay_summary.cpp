@@ -18,7 +18,7 @@ std::string FormerSummary(const ReplayResult& result, const FormerSession& forme
   return fmt::format(
       "former session: {} of {} objects recognised; its frame lies {:.2f} m north, {:.2f} m east, "
       "{:.2f} m down, turned by {:.2f} deg\n",
-      matched, former.ids.size(), offset.shift_W.x(), offset.shift_W.y(), offset.down,
+      matched, former.objects.size(), offset.shift_W.x(), offset.shift_W.y(), offset.down,
       Radians(offset.turn).in_text_unit());
 }
 
@@ -86,7 +86,7 @@ std::string ReplaySummary(const SensorStream& stream, const ReplayResult& result
                         stream.datum->latitude_deg, stream.datum->longitude_deg);
   }
   text += DoubtSummary(result, doubtful);
-  if (!former.ids.empty()) text += FormerSummary(result, former);
+  if (!former.objects.empty()) text += FormerSummary(result, former);
   return text + SourcesSummary(result.sources);
 }
 

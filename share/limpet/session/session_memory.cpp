@@ -171,14 +171,14 @@ SessionPrior PriorOf(const SessionFacts& facts, const SessionMemory& memory) {
   for (const OpiBelief& opi : memory.objects.opis) {
     if (!opi.landmark || opi.posterior.present() < kLikely) continue;
     landmarks.push_back(*opi.landmark);
-    prior.opis.push_back({.id = opi.id,
-                          .object = opi.object,
-                          .log_likelihood_ratio = opi.log_likelihood_ratio,
-                          .looks = opi.looks});
+    prior.former.objects.push_back({.id = opi.id,
+                                    .object = opi.object,
+                                    .log_likelihood_ratio = opi.log_likelihood_ratio,
+                                    .looks = opi.looks});
   }
   if (memory.water) prior.water = memory.water->estimate;
   prior.obstacles = memory.obstacles.obstacles;
-  prior.joint_cov_W = CovarianceOf(landmarks, memory.landmarks).value_or(Eigen::MatrixXd());
+  prior.former.joint_cov_W = CovarianceOf(landmarks, memory.landmarks).value_or(Eigen::MatrixXd());
   AddFormerViews(memory, landmarks, prior);
   return prior;
 }

@@ -242,11 +242,11 @@ void to_json(nlohmann::json& out, const SessionPrior& prior) {
                      X_WB.pitch, X_WB.yaw, frame.altitude.value_or(0.0), view.altitude_age});
   }
   out = {{"session", prior.session},
-         {"opis", prior.opis},
+         {"opis", prior.former.objects},
          {"views", std::move(views)},
          {"boxes", std::move(boxes)},
          {"map_parameters", prior.map_parameters},
-         {"joint", LowerTriangleOf(prior.joint_cov_W)}};
+         {"joint", LowerTriangleOf(prior.former.joint_cov_W)}};
   if (prior.water) {
     out["visibility_m"] = prior.water->visibility;
     out["visibility_sd_m"] = prior.water->sd;
@@ -256,7 +256,7 @@ void to_json(nlohmann::json& out, const SessionPrior& prior) {
 
 void from_json(const nlohmann::json& in, SessionPrior& prior) {
   in.at("session").get_to(prior.session);
-  in.at("opis").get_to(prior.opis);
+  in.at("opis").get_to(prior.former.objects);
   for (const auto& [t, north, east, down, roll, pitch, yaw, altitude, age] :
        in.at("views").get<std::vector<std::array<double, 9>>>()) {
     prior.views.push_back({.frame = {.exposure = Seconds(t),
@@ -276,7 +276,7 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
         WaterVisibility{.visibility = in.at("visibility_m"), .sd = in.at("visibility_sd_m")};
   }
   prior.obstacles = in.value("obstacles", std::vector<Obstacle>());
-  prior.joint_cov_W = SymmetricFrom(in.at("joint"));
+  prior.former.joint_cov_W = SymmetricFrom(in.at("joint"));
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PathSegment, curvature, length)

@@ -10,6 +10,7 @@
 
 #include "limpet/core/message.hpp"
 #include "limpet/objects/detection_model.hpp"
+#include "limpet/objects/former_session.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/objects/object_estimate.hpp"
 #include "limpet/topics/packed_bytes.hpp"
@@ -136,7 +137,7 @@ struct TopicCodec<WaterRecord> : JsonCodec<WaterRecord> {};
 
 struct SessionPrior {
   std::string session;  ///< name of the former session
-  std::vector<FormerObject> opis;
+  FormerSession former;
   /// Where its map looked from, thinned to independent looks, but for looks with boxes that are
   /// nobody's; only such boxes are kept. Tells a new object from one that was never looked for.
   std::vector<FormerView> views;
@@ -145,8 +146,6 @@ struct SessionPrior {
   std::vector<std::array<std::string, 2>> map_parameters;
   std::optional<WaterVisibility> water{};  ///< how far it saw, by its own account, if it gave one
   std::vector<Obstacle> obstacles{};       ///< that stood in its way, in its frame
-  /// Joint covariance of `opis` [m^2], three rows each; empty if the session did not keep it.
-  Eigen::MatrixXd joint_cov_W;
 };
 template <>
 struct TopicCodec<SessionPrior> : JsonCodec<SessionPrior> {};

@@ -34,7 +34,7 @@ inline SessionPrior Former(const std::vector<FormerOpi>& objects) {
   SessionPrior prior;
   prior.session = "discovery";
   for (const FormerOpi& object : objects) {
-    prior.opis.push_back(
+    prior.former.objects.push_back(
         {.id = object.id,
          .object = {.p_W = object.ned, .cov_W = kCovariance.asDiagonal(), .color = object.color},
          .log_likelihood_ratio = 8.0,

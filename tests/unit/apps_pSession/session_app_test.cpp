@@ -262,8 +262,8 @@ TEST_F(SessionAppTest, HandsTheFormerSessionOverAtItsStart) {
   const std::optional<SessionPrior> prior = link_.Last(topics::kSessionPrior);
   ASSERT_TRUE(prior);
   EXPECT_EQ(prior->session, "discovery");
-  ASSERT_EQ(prior->opis.size(), 1U);
-  EXPECT_EQ(prior->opis[0].object.color, "yellow");
+  ASSERT_EQ(prior->former.objects.size(), 1U);
+  EXPECT_EQ(prior->former.objects[0].object.color, "yellow");
 }
 
 TEST_F(SessionAppTest, RefusesADamagedFormerSessionByName) {

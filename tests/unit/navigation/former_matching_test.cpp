@@ -20,9 +20,10 @@ const std::vector<SeabedSphere> kFarSpheres{
 FormerSession FarSpheresOf(const std::vector<SeabedSphere>& spheres) {
   FormerSession former;
   for (const SeabedSphere& sphere : spheres) {
-    former.ids.push_back(41 + static_cast<int>(former.ids.size()));
-    former.objects.push_back(
-        {.p_W = sphere.ned, .cov_W = 0.04 * Eigen::Matrix3d::Identity(), .color = sphere.color});
+    former.objects.push_back({.id = 41 + static_cast<int>(former.objects.size()),
+                              .object = {.p_W = sphere.ned,
+                                         .cov_W = 0.04 * Eigen::Matrix3d::Identity(),
+                                         .color = sphere.color}});
   }
   return former;
 }
@@ -78,8 +79,8 @@ TEST_F(FormerMatchingTest, AfterADriftThatNobodyHoldsPossibleTheFixShowsWhichObj
 TEST_F(FormerMatchingTest, TheFixDoesNotMakeObjectsOfAnotherPlaceKnown) {
   dive_.velocity_error_ = 0.08;
   FormerSession elsewhere = FarSpheresOf(kFarSpheres);
-  for (ObjectEstimate& object : elsewhere.objects)
-    object.p_W += Eigen::Vector3d(9.0, 7.0, 0.0);
+  for (FormerObject& former : elsewhere.objects)
+    former.object.p_W += Eigen::Vector3d(9.0, 7.0, 0.0);
   dive_.navigator().SetFormerSession(elsewhere);
   Dive();
   Surface();

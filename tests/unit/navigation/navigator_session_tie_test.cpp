@@ -16,9 +16,10 @@ const std::vector<SeabedSphere> kSpheres{{{6.0, 0.4, 6.5}, "yellow"},
 FormerSession KnownBefore() {
   FormerSession former;
   for (const SeabedSphere& sphere : kSpheres) {
-    former.ids.push_back(static_cast<int>(former.ids.size()) + 1);
-    former.objects.push_back(
-        {.p_W = sphere.ned, .cov_W = 0.09 * Eigen::Matrix3d::Identity(), .color = sphere.color});
+    former.objects.push_back({.id = static_cast<int>(former.objects.size()) + 1,
+                              .object = {.p_W = sphere.ned,
+                                         .cov_W = 0.09 * Eigen::Matrix3d::Identity(),
+                                         .color = sphere.color}});
   }
   return former;
 }
@@ -49,7 +50,6 @@ TEST_F(SessionTieTest, AFormerSessionHalvesTheError) {
 
 TEST_F(SessionTieTest, OneObjectThatStayedIsNotEnoughToTieTo) {
   FormerSession former = KnownBefore();
-  former.ids.pop_back();
   former.objects.pop_back();
   dive_.navigator().SetFormerSession(former);
   Survey();

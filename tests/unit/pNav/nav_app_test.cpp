@@ -162,8 +162,8 @@ TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
   SessionPrior prior;
   prior.session = "discovery";
   for (const Eigen::Vector3d& p_W : objects) {
-    FormerObject& former = prior.opis.emplace_back();
-    former.id = static_cast<int>(prior.opis.size());
+    FormerObject& former = prior.former.objects.emplace_back();
+    former.id = static_cast<int>(prior.former.objects.size());
     former.object.p_W = off.Undo(p_W), former.object.color = "yellow";
     former.object.cov_W = 0.01 * Eigen::Matrix3d::Identity();
   }
@@ -173,7 +173,7 @@ TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
   EXPECT_TRUE(app_->warnings().contains("FORMER_ELSEWHERE"));
   // Found again where it should be, the warning is over.
   for (std::size_t i = 0; i < objects.size(); ++i)
-    prior.opis[i].object.p_W = objects[i];
+    prior.former.objects[i].object.p_W = objects[i];
   link_.Send(*app_, topics::kSessionPrior, prior);
   RunFor(5.0);
   EXPECT_FALSE(app_->warnings().contains("FORMER_ELSEWHERE"));

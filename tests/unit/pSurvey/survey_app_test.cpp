@@ -45,7 +45,7 @@ TEST_F(SurveyAppTest, DivesSoonerWhereAFormerSessionsObjectsWillTellThePlace) {
     nav.gps.is_valid = true;
     nav.sd_north = nav.sd_east = 0.42;
     SessionPrior prior;
-    prior.opis.resize(former);
+    prior.former.objects.resize(former);
     link.Send(app, topics::kSessionPrior, prior);
     link.Send(app, topics::kNavState, nav);
     link.Send(app, topics::kDeploy, true);

@@ -282,11 +282,11 @@ class LaterSession : public ::testing::TestWithParam<int> {
     now_ = SimulateStream(scene);
     const ReplayResult before = Replay(first.stream, ParamsForStream(first.stream.meta), NoClock);
     for (const Landmark& l : before.landmarks) {
-      former_.ids.push_back(TrueIdOf(l, before, first.truth));
       former_.objects.push_back(
-          {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color});
+          {.id = TrueIdOf(l, before, first.truth),
+           .object = {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color}});
     }
-    former_.covariance = before.landmark_covariance;
+    former_.joint_cov_W = before.landmark_covariance;
   }
   /// The true object nearest to an estimate.
   static int TrueIdOf(const Landmark& l, const ReplayResult& result, const StreamTruth& truth) {
@@ -309,7 +309,7 @@ TEST_P(LaterSession, KnowsEveryObjectThatStayedAgainAndNoOther) {
   ASSERT_GE(result.landmarks.size(), 4U);
   for (const Landmark& l : result.landmarks) {
     const int truth = TrueIdOf(l, result, now_.truth);
-    const bool was_known = std::ranges::count(former_.ids, truth) > 0;
+    const bool was_known = std::ranges::count(former_.objects, truth, &FormerObject::id) > 0;
     EXPECT_EQ(l.former.id, was_known ? std::optional(truth) : std::nullopt);
   }
 }
@@ -317,8 +317,8 @@ TEST_P(LaterSession, KnowsEveryObjectThatStayedAgainAndNoOther) {
 TEST_P(LaterSession, FindsAFrameThatLiesMetresOffAndTurned) {
   const FrameOffset shifted{.shift_W = {-4.0, 2.5}, .turn = 0.1, .pivot_W = {}};
   FormerSession moved = former_;
-  for (ObjectEstimate& object : moved.objects)
-    object.p_W = shifted.Undo(object.p_W);
+  for (FormerObject& former : moved.objects)
+    former.object.p_W = shifted.Undo(former.object.p_W);
   NavigatorParams params = ParamsForStream(now_.stream.meta);
   params.session.datum_sigma = Meters(5.0);
   params.session.datum_turn_sigma = Radians(0.2);
@@ -342,11 +342,11 @@ TEST(SimulatedStream, AFormerSessionMakesALaterOneBetter) {
     const SimulatedStream now =
         SimulateStream({.seed = 1000 + pair, .objects = 6, .place = 77, .gone = 2, .came = 1});
     const ReplayResult before = Replay(first.stream, ParamsForStream(first.stream.meta), NoClock);
-    FormerSession former{.ids = {}, .objects = {}, .covariance = before.landmark_covariance};
+    FormerSession former{.objects = {}, .joint_cov_W = before.landmark_covariance};
     for (const Landmark& l : before.landmarks) {
-      former.ids.push_back(l.id);
       former.objects.push_back(
-          {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color});
+          {.id = l.id,
+           .object = {.p_W = l.object.p_W, .cov_W = l.object.cov_W, .color = l.object.color}});
     }
     const NavigatorParams params = ParamsForStream(now.stream.meta);
     const auto error = [&](const FormerSession& known) {

@@ -63,7 +63,7 @@ TEST(ReplaySummary, CountsTheObjectsKnownAgain) {
   result.landmarks[1].former.id = 7;
   FormerSession former;
   EXPECT_THAT(SummaryOf(result, former), Not(HasSubstr("former session")));
-  former.ids = {7, 8};
+  former.objects = {{.id = 7, .object = {}}, {.id = 8, .object = {}}};
   EXPECT_THAT(SummaryOf(result, former),
               HasSubstr("former session: 1 of 2 objects recognised; its frame lies 0.00 m north"));
 }

@@ -99,9 +99,9 @@ TEST(SessionPrior, HandsOverObjectsThatWereThere) {
   SessionFacts facts;
   facts.session = "discovery";
   const SessionPrior prior = PriorOf(facts, memory);
-  ASSERT_EQ(prior.opis.size(), 1U);
-  EXPECT_EQ(prior.opis[0].id, 1);
-  EXPECT_EQ(prior.opis[0].log_likelihood_ratio, 8.5);
+  ASSERT_EQ(prior.former.objects.size(), 1U);
+  EXPECT_EQ(prior.former.objects[0].id, 1);
+  EXPECT_EQ(prior.former.objects[0].log_likelihood_ratio, 8.5);
   EXPECT_EQ(prior.session, "discovery");
 }
 
@@ -163,11 +163,11 @@ TEST(SessionPrior, HasTheJointCovarianceOfItsObjectsInTheirOrder) {
   }
   memory.landmarks.cov_W = *FromLowerTriangle(lower);
   // Landmarks 7 and 5: rows 6 to 8, then 3 to 5.
-  EXPECT_THAT(LowerTriangleOf(PriorOf({}, memory).joint_cov_W),
+  EXPECT_THAT(LowerTriangleOf(PriorOf({}, memory).former.joint_cov_W),
               ::testing::ElementsAre(66, 76, 77, 86, 87, 88, 63, 73, 83, 33, 64, 74, 84, 43, 44, 65,
                                      75, 85, 53, 54, 55));
   memory.landmarks.ids = {3, 5, 8};
-  EXPECT_TRUE(PriorOf({}, memory).joint_cov_W.size() == 0);
+  EXPECT_TRUE(PriorOf({}, memory).former.joint_cov_W.size() == 0);
 }
 
 TEST(SessionMemory, RefusesAJointCovarianceThatIsNone) {

@@ -90,13 +90,13 @@ class Maker {
   void Fill(SessionPrior& out) {
     out.session = Word();
     for (std::size_t i = Few(); i > 0; --i) {
-      out.opis.push_back({Whole(), Object(), Real(), Whole()});
+      out.former.objects.push_back({Whole(), Object(), Real(), Whole()});
       ObservedFrame frame;
       Fill(frame);
       out.views.push_back({.frame = frame, .altitude_age = Seconds(Real())});
     }
     out.map_parameters = {{"camera_width_px", "640"}, {Word(), Word()}};
-    out.joint_cov_W = Symmetric(static_cast<Eigen::Index>(3 * out.opis.size()));
+    out.former.joint_cov_W = Symmetric(static_cast<Eigen::Index>(3 * out.former.objects.size()));
     out.water = WaterVisibility{.visibility = Real(), .sd = Real()};
   }
   void Fill(WaterRecord& out) {

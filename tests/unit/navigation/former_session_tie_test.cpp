@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/navigation/former_session.hpp"
+#include "estimation/navigation/former_session_tie.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +39,19 @@ std::vector<ObjectEstimate> Objects(const std::vector<Eigen::Vector2d>& places) 
 
 const std::vector<Eigen::Vector2d> kPlaces{{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}};
 
-FormerSession Former(double frame_shift = 0.5) {
-  FormerSession former{.ids = {1, 2, 3, 4}, .objects = Objects(kPlaces), .covariance = {}};
-  former.covariance = JointOf(former.objects, frame_shift, 0.01, 0.05);
+/// Objects at these places, by ids from 1 on; a place is known to `own` [m] in a frame that may be
+/// off by `frame_shift` [m].
+FormerSession FormerAt(const std::vector<Eigen::Vector2d>& places, double frame_shift = 0.5,
+                       double own = 0.05) {
+  FormerSession former;
+  for (const ObjectEstimate& object : Objects(places)) {
+    former.objects.push_back({.id = static_cast<int>(former.objects.size()) + 1, .object = object});
+  }
+  former.joint_cov_W = JointOf(Objects(places), frame_shift, 0.01, own);
   return former;
 }
+
+FormerSession Former() { return FormerAt(kPlaces); }
 
 /// The objects of this session: places of the former one, taken along by `offset`.
 PresentLandmarks Present(const std::vector<Eigen::Vector2d>& places, const FrameOffset& offset = {},
@@ -102,9 +110,7 @@ TEST(FormerSessionTie, FindsAShiftOfMetresAndATurnOfManyDegrees) {
 TEST(FormerSessionTie, FindsAFrameThatLiesElsewhereWithoutBeingTold) {
   const std::vector<Eigen::Vector2d> places{{4.0, 1.0},   {2.0, 10.0},  {6.0, -3.0},  {-6.0, -5.0},
                                             {-15.0, 2.0}, {11.0, 18.0}, {19.0, -8.0}, {-9.0, 14.0}};
-  FormerSession former{
-      .ids = {1, 2, 3, 4, 5, 6, 7, 8}, .objects = Objects(places), .covariance = {}};
-  former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+  const FormerSession former = FormerAt(places);
   FormerSessionTie tie({});
   tie.SetFormer(former);
   const FrameOffset truth{.shift_W = {-14.0, 14.0}, .turn = 0.7, .pivot_W = {}};
@@ -126,8 +132,7 @@ TEST(FormerSessionTie, FindsAFrameThatLiesElsewhereWithoutBeingTold) {
 TEST(FormerSessionTie, AFrameThatWasFoundElsewhereStaysThere) {
   const std::vector<Eigen::Vector2d> places{{4.0, 1.0},   {2.0, 10.0}, {6.0, -3.0},
                                             {-6.0, -5.0}, {-9.0, 4.0}, {11.0, 8.0}};
-  FormerSession former{.ids = {1, 2, 3, 4, 5, 6}, .objects = Objects(places), .covariance = {}};
-  former.covariance = JointOf(former.objects, 0.3, 0.01, 0.15);
+  const FormerSession former = FormerAt(places, 0.3, 0.15);
   FormerSessionTie tie({});
   tie.SetFormer(former);
   // Another datum; two of the objects are gone and one has come.
@@ -151,12 +156,8 @@ TEST(FormerSessionTie, AFrameThatWasFoundElsewhereStaysThere) {
 }
 
 TEST(FormerSessionTie, KnowsFourObjectsThatAgreeWhereFixesWereWorseThanTheySay) {
-  FormerSession former{
-      .ids = {1, 2, 3, 4, 5, 6},
-      .objects =
-          Objects({{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}, {-9.0, 4.0}, {11.0, 8.0}}),
-      .covariance = {}};
-  former.covariance = JointOf(former.objects, 0.3, 0.01, 0.1);
+  const FormerSession former = FormerAt(
+      {{4.0, 1.0}, {2.0, 10.0}, {6.0, -3.0}, {-6.0, -5.0}, {-9.0, 4.0}, {11.0, 8.0}}, 0.3, 0.1);
   FormerSessionTie tie({});
   tie.SetFormer(former);
   const FrameOffset off{.shift_W = {2.8, -1.8}, .turn = 0.0, .pivot_W = {}};
@@ -267,9 +268,7 @@ TEST(FormerSessionTie, DecidesThroughADriftOfHalfAMetre) {
 
 /// Alone, one object of two that stand a metre apart may be either: the frames may be off by that.
 TEST(FormerSessionTie, DoesNotDecideWhichOfTwoCloseFormerObjectsIsLeft) {
-  FormerSession former{
-      .ids = {1, 2}, .objects = Objects({{4.0, 1.0}, {4.0, 2.0}}), .covariance = {}};
-  former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+  const FormerSession former = FormerAt({{4.0, 1.0}, {4.0, 2.0}});
   FormerSessionTie tie({});
   tie.SetFormer(former);
   ASSERT_TRUE(tie.Match(Present({{4.0, 1.4}}), std::nullopt));
@@ -283,10 +282,7 @@ TEST(FormerSessionTie, DoesNotDecideWhichOfTwoCloseFormerObjectsIsLeft) {
 
 /// Others tell where the frame lies.
 TEST(FormerSessionTie, DecidesWhichOfTwoCloseFormerObjectsIsLeftIfOthersPinTheFrame) {
-  FormerSession former{.ids = {1, 2, 3, 4, 5},
-                       .objects = Objects({{4, 1}, {4, 2}, {-6, -5}, {6, -9}, {-2, 10}}),
-                       .covariance = {}};
-  former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+  const FormerSession former = FormerAt({{4, 1}, {4, 2}, {-6, -5}, {6, -9}, {-2, 10}});
   FormerSessionTie tie({});
   tie.SetFormer(former);
   const FrameOffset drift{.shift_W = {0.3, 0.4}, .turn = 0.0, .pivot_W = {}};
@@ -303,8 +299,7 @@ TEST(FormerSessionTieProperties, CandidatesAreChancesOfWhatIsNotDecided) {
     std::vector<Eigen::Vector2d> places;
     for (int i = 0; i < 4; ++i)
       places.emplace_back(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0));
-    FormerSession former{.ids = {1, 2, 3, 4}, .objects = Objects(places), .covariance = {}};
-    former.covariance = JointOf(former.objects, 0.5, 0.01, 0.05);
+    const FormerSession former = FormerAt(places);
     places.erase(places.begin() + trial % 4);
     const FrameOffset drift{.shift_W = {random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5)},
                             .turn = 0.0,
@@ -367,9 +362,9 @@ TEST(FormerSessionTie, OneObjectAloneTiesNothing) {
 
 TEST(FormerSessionTie, LivesWithCovariancesThatAreNone) {
   FormerSession broken = Former();
-  broken.covariance.setConstant(-1.0);
-  for (ObjectEstimate& object : broken.objects)
-    object.cov_W = -Eigen::Matrix3d::Identity();
+  broken.joint_cov_W.setConstant(-1.0);
+  for (FormerObject& former : broken.objects)
+    former.object.cov_W = -Eigen::Matrix3d::Identity();
   FormerSessionTie tie({});
   tie.SetFormer(broken);
   ASSERT_TRUE(tie.Match(Present(kPlaces), std::nullopt));

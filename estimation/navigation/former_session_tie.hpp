@@ -8,16 +8,9 @@
 
 #include "estimation/matching/session_matching.hpp"
 #include "estimation/smoothing/joint_prior.hpp"
+#include "limpet/objects/former_session.hpp"
 
 namespace limpet {
-
-/// What a former session knew of its objects' places, in its own frame.
-struct FormerSession {
-  std::vector<int> ids;
-  std::vector<ObjectEstimate> objects;
-  Eigen::MatrixXd covariance;  ///< joint, three rows per object; empty if only the objects' own are
-                               ///< known
-};
 
 /// This session's landmarks, as the smoother has them.
 struct PresentLandmarks {
@@ -38,9 +31,9 @@ class FormerSessionTie {
  public:
   explicit FormerSessionTie(const MatchingParams& params) : params_(params) {}
 
-  /// REQUIRES: ids, objects and covariance agree in size.
+  /// REQUIRES: the joint covariance has three rows per object, or none.
   void SetFormer(FormerSession former);
-  [[nodiscard]] bool has_former() const { return !given_.ids.empty(); }
+  [[nodiscard]] bool has_former() const { return !given_.objects.empty(); }
 
   /// Matches anew. `applied` is the prior that the landmarks already contain: it is taken out
   /// first, so that a match never proves itself. False if nothing can be said now.
@@ -94,13 +87,13 @@ class FormerSessionTie {
                                      const Eigen::MatrixXd& now_own);
 
   MatchingParams params_;
-  FormerSession given_;  ///< places and covariance in its own frame
+  FormerSession given_;  ///< in its own frame, with a joint covariance
   FrameOffset placed_;   ///< of its frame
   bool is_elsewhere_ = false;
   double frame_spread_ = 1.0;      ///< how much wider fixes are believed to lie than they say
   std::size_t searched_with_ = 0;  ///< candidates of the last search
   std::size_t matches_since_search_ = 0;
-  FormerSession former_;  ///< as placed, each object's covariance its own
+  std::vector<ObjectEstimate> former_;  ///< as placed, each one's covariance its own
   Eigen::Matrix4d former_frame_ = Eigen::Matrix4d::Zero();
   Eigen::MatrixXd former_own_;
   std::vector<FormerIdentity> identities_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/navigation/former_session.hpp"
+#include "estimation/navigation/former_session_tie.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +106,14 @@ std::vector<std::size_t> WellPlaced(const PresentLandmarks& present, const Eigen
   return placed;
 }
 
+/// Former objects as they are placed.
+std::vector<FormerObject> WithPlaces(std::vector<FormerObject> former,
+                                     const std::vector<ObjectEstimate>& places) {
+  for (std::size_t i = 0; i < former.size(); ++i)
+    former[i].object = places[i];
+  return former;
+}
+
 void SetOwn(std::vector<ObjectEstimate>& objects, const Eigen::MatrixXd& own) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(3 * i);
@@ -125,30 +133,30 @@ void FormerSessionTie::SetFormer(FormerSession former) {
   if (!has_former()) {
     return;
   }
-  const auto n = static_cast<Eigen::Index>(3 * given_.ids.size());
-  if (given_.covariance.size() == 0 || !IsCovariance(given_.covariance)) {
-    for (ObjectEstimate& object : given_.objects) {
-      object.cov_W.diagonal() = object.cov_W.diagonal().cwiseMax(kLeastVariance);
+  Eigen::MatrixXd& joint = given_.joint_cov_W;
+  const auto n = static_cast<Eigen::Index>(3 * given_.objects.size());
+  if (joint.size() == 0 || !IsCovariance(joint)) {
+    for (FormerObject& known : given_.objects) {
+      Eigen::Matrix3d& S = known.object.cov_W;
+      S.diagonal() = S.diagonal().cwiseMax(kLeastVariance);
     }
-    given_.covariance = JointOfSingles(given_.objects);
+    joint = JointOfSingles(EstimatesOf(given_.objects));
   }
-  LIMPET_REQUIRE(given_.objects.size() == given_.ids.size() && given_.covariance.rows() == n &&
-                     given_.covariance.cols() == n,
+  LIMPET_REQUIRE(joint.rows() == n && joint.cols() == n,
                  "three rows of covariance per former object");
-  Place({.pivot_W = MeanOf(given_.objects)});
+  Place({.pivot_W = MeanOf(EstimatesOf(given_.objects))});
 }
 
 void FormerSessionTie::Place(const FrameOffset& placed) {
   placed_ = placed;
-  former_ = given_;
-  former_.objects = Moved(std::move(former_.objects), placed);
-  Turn(placed.turn, former_.covariance);
-  offset_ = {.pivot_W = MeanOf(former_.objects)};
-  const SplitCovariance split =
-      SplitFrom(PlacesOf(former_.objects), former_.covariance, offset_.pivot_W);
+  former_ = Moved(EstimatesOf(given_.objects), placed);
+  Eigen::MatrixXd joint = given_.joint_cov_W;
+  Turn(placed.turn, joint);
+  offset_ = {.pivot_W = MeanOf(former_)};
+  const SplitCovariance split = SplitFrom(PlacesOf(former_), joint, offset_.pivot_W);
   former_frame_ = split.frame;
   former_own_ = split.own;
-  SetOwn(former_.objects, former_own_);
+  SetOwn(former_, former_own_);
 }
 
 double FormerSessionTie::EvidenceOf(const SessionMatch& match,
@@ -157,14 +165,14 @@ double FormerSessionTie::EvidenceOf(const SessionMatch& match,
   const FrameSearchParams search;
   const FramePrior prior = is_elsewhere_ ? FramePrior::Unknown(search.radius_m, search.turn)
                                          : FramePrior::Known(OffsetInformation(now_frame));
-  return MatchEvidence(former_.objects, candidates, match, params_, prior);
+  return MatchEvidence(former_, candidates, match, params_, prior);
 }
 
 SessionMatch FormerSessionTie::MatchAsPlaced(const std::vector<ObjectEstimate>& candidates,
                                              const Eigen::Matrix4d& now_frame) {
   const auto match = [&](double spread) {
     frame_spread_ = spread;
-    return MatchSessions(former_.objects, candidates, params_, OffsetInformation(now_frame));
+    return MatchSessions(former_, candidates, params_, OffsetInformation(now_frame));
   };
   SessionMatch near = match(1.0);
   if (is_elsewhere_) return near;
@@ -202,7 +210,7 @@ SessionMatch FormerSessionTie::MatchOrSearch(const std::vector<ObjectEstimate>& 
     }
   }
   if (!IsTimeToSearch(candidates.size())) return here;
-  const std::optional<FoundFrame> found = SearchFrame(former_.objects, candidates, params_);
+  const std::optional<FoundFrame> found = SearchFrame(former_, candidates, params_);
   if (!found || found->evidence < evidence + kLeastMoreEvidence) return here;
   is_elsewhere_ = true;
   Place(found->offset);
@@ -244,8 +252,8 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
   // One object alone ties nothing, and is its former self or not.
   if (candidates.size() > 1 && !IsOfThisPlace(match, candidates, split.frame))
     std::ranges::fill(match.now_of_former, std::nullopt);
-  const std::vector<double> same_place = ChancesOfSamePlace(former_.objects, candidates, params_,
-                                                            OffsetInformation(split.frame), match);
+  const std::vector<double> same_place =
+      ChancesOfSamePlace(former_, candidates, params_, OffsetInformation(split.frame), match);
   offset_ = match.offset;
   const std::vector<Pair> pairs = Decide(present, match, placed, same_place);
   prior_.reset();
@@ -258,23 +266,23 @@ bool FormerSessionTie::Match(const PresentLandmarks& landmarks,
 std::vector<FormerSessionTie::Pair> FormerSessionTie::Decide(
     const PresentLandmarks& present, const SessionMatch& match,
     const std::vector<std::size_t>& placed, const std::vector<double>& same_place) {
-  const FormerObjects former{.ids = former_.ids, .objects = former_.objects};
+  const std::vector<FormerObject> former = WithPlaces(given_.objects, former_);
   identities_.assign(present.slots.size(), {});
   for (std::size_t j = 0; j < placed.size(); ++j)
     identities_[placed[j]].candidates = RivalCandidates(former, match, static_cast<int>(j));
   std::vector<Pair> pairs;
-  std::vector<bool> is_taken(former_.ids.size(), false);
-  for (std::size_t i = 0; i < former_.ids.size(); ++i) {
+  std::vector<bool> is_taken(former.size(), false);
+  for (std::size_t i = 0; i < former.size(); ++i) {
     if (!match.now_of_former[i]) continue;
     const std::size_t now = placed[static_cast<std::size_t>(*match.now_of_former[i])];
     is_taken[i] = true;
     if (same_place[i] <= 1.0 - kDecidedMatch) continue;  // moved, or gone and another one came
     FormerIdentity& identity = identities_[now];
-    identity.id = former_.ids[i];
+    identity.id = former[i].id;
     identity.probability = same_place[i];
     if (!identity.candidates.empty()) continue;
     if (same_place[i] < kDecidedMatch) {
-      identity.candidates = {{former_.ids[i], same_place[i]}};
+      identity.candidates = {{former[i].id, same_place[i]}};
     } else {
       pairs.push_back({i, now});
     }
@@ -318,7 +326,7 @@ JointPrior FormerSessionTie::PriorFrom(const std::vector<Pair>& pairs,
   std::vector<Eigen::Index> former_rows, now_rows;
   for (const Pair& pair : pairs) {
     const auto row = static_cast<Eigen::Index>(3 * slots.size());
-    const Eigen::Vector3d& place = former_.objects[pair.former].p_W;
+    const Eigen::Vector3d& place = former_[pair.former].p_W;
     slots.push_back(present.slots[pair.now]);
     J.middleRows<3>(row) = offset_.Jacobian(place);
     moved.segment<3>(row) = offset_.Apply(place);
