@@ -189,7 +189,7 @@ void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {
 }
 
 void NavApp::OnSnapshotRequest(const Stamped<std::string>& /*why*/) {
-  LandmarkJoint message;
+  LandmarkCovariance message;
   for (const Landmark& landmark : navigator_.Landmarks()) {
     message.ids.push_back(landmark.id);
   }

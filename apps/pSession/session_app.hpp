@@ -42,7 +42,9 @@ class SessionApp final : public App {
   void OnPhase(const Stamped<std::string>& phase);
   void OnLandmarks(const Stamped<Landmarks>& landmarks) { landmarks_ = landmarks.value; }
   void OnObjects(const Stamped<OpiBeliefs>& objects);
-  void OnLandmarkJoint(const Stamped<LandmarkJoint>& joint) { memory_.landmarks = joint.value; }
+  void OnLandmarkJoint(const Stamped<LandmarkCovariance>& joint) {
+    memory_.landmarks = joint.value;
+  }
   void OnFrame(const Stamped<ObservedFrame>& frame);
   void OnChips(const Stamped<ImageChips>& chips) { chips_.Add(chips.value); }
   void OnObstacles(const Stamped<Obstacles>& obstacles) { memory_.obstacles = obstacles.value; }

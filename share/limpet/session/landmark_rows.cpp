@@ -6,7 +6,7 @@
 namespace limpet {
 
 std::optional<Eigen::MatrixXd> CovarianceOf(const std::vector<int>& ids,
-                                            const LandmarkJoint& joint) {
+                                            const LandmarkCovariance& joint) {
   std::vector<Eigen::Index> rows;
   for (const int id : ids) {
     const auto found = std::ranges::find(joint.ids, id);

@@ -13,6 +13,6 @@ namespace limpet {
 /// The covariance of these landmarks alone, three rows each in the order of `ids`; nothing if one
 /// of them is not in `joint`.
 [[nodiscard]] std::optional<Eigen::MatrixXd> CovarianceOf(const std::vector<int>& ids,
-                                                          const LandmarkJoint& joint);
+                                                          const LandmarkCovariance& joint);
 
 }  // namespace limpet

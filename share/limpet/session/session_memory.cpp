@@ -69,7 +69,7 @@ SessionFiles FilesOf(const SessionMemory& memory, std::string map) {
   }
   if (!memory.landmarks.ids.empty()) {
     files[kLandmarks] =
-        std::get<std::string>(TopicCodec<LandmarkJoint>::Encode(memory.landmarks)) + "\n";
+        std::get<std::string>(TopicCodec<LandmarkCovariance>::Encode(memory.landmarks)) + "\n";
   }
   if (memory.known_landmarks) {
     files[kKnownLandmarks] =
@@ -116,7 +116,7 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     memory.obstacles = *obstacles;
   }
   if (const std::string* text = Find(files, kLandmarks)) {
-    const std::optional<LandmarkJoint> joint = TopicCodec<LandmarkJoint>::Decode(*text);
+    const std::optional<LandmarkCovariance> joint = TopicCodec<LandmarkCovariance>::Decode(*text);
     if (!joint || joint->cov_W.rows() != static_cast<Eigen::Index>(3 * joint->ids.size())) {
       return Error{std::string(kLandmarks) + ": not a joint covariance of landmarks"};
     }

@@ -41,7 +41,7 @@ struct SessionMemory {
   OpiBeliefs objects;
   /// All landmarks as pNav had them when `objects` were judged; nothing in an older session.
   std::optional<Landmarks> known_landmarks;
-  LandmarkJoint landmarks;            ///< of the objects' landmarks; empty if never heard
+  LandmarkCovariance landmarks;       ///< of the objects' landmarks; empty if never heard
   std::vector<ObservedFrame> frames;  ///< every frame with its pose and boxes
   std::optional<WaterRecord> water;   ///< nothing in an older session
   std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced

@@ -125,11 +125,11 @@ Eigen::MatrixXd SymmetricFrom(const nlohmann::json& lower) {
   return FromLowerTriangle(lower.get<std::vector<double>>()).value_or(Eigen::MatrixXd());
 }
 
-void to_json(nlohmann::json& out, const LandmarkJoint& joint) {
+void to_json(nlohmann::json& out, const LandmarkCovariance& joint) {
   out = {{"ids", joint.ids}, {"lower", LowerTriangleOf(joint.cov_W)}};
 }
 
-void from_json(const nlohmann::json& in, LandmarkJoint& joint) {
+void from_json(const nlohmann::json& in, LandmarkCovariance& joint) {
   in.at("ids").get_to(joint.ids);
   joint.cov_W = SymmetricFrom(in.at("lower"));
 }
@@ -371,7 +371,7 @@ std::optional<T> JsonCodec<T>::Decode(const Value& value) {
 
 template struct JsonCodec<Detections>;
 template struct JsonCodec<Landmarks>;
-template struct JsonCodec<LandmarkJoint>;
+template struct JsonCodec<LandmarkCovariance>;
 template struct JsonCodec<ObservedFrame>;
 template struct JsonCodec<TrackShift>;
 template struct JsonCodec<SonarPing>;

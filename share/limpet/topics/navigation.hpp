@@ -98,13 +98,13 @@ struct Landmarks {
 template <>
 struct TopicCodec<Landmarks> : JsonCodec<Landmarks> {};
 
-/// Covariance of several landmarks' places together.
-struct LandmarkJoint {
+/// Joint covariance of landmarks' places, which NAV_LANDMARKS has, in the frame of their session.
+struct LandmarkCovariance {
   std::vector<int> ids;
   Eigen::MatrixXd cov_W;  ///< NED [m^2], three rows per landmark in the order of `ids`
 };
 template <>
-struct TopicCodec<LandmarkJoint> : JsonCodec<LandmarkJoint> {};
+struct TopicCodec<LandmarkCovariance> : JsonCodec<LandmarkCovariance> {};
 
 template <>
 struct TopicCodec<ObservedFrame> : JsonCodec<ObservedFrame> {};
@@ -192,7 +192,7 @@ inline const auto kNavCurrent = Declare<WaterCurrent>(
 inline const auto kNavLandmarks = Declare<Landmarks>(
     "NAV_LANDMARKS", "objects with covariance, and which of the former session's each one is",
     {.unit = "m", .frame = "NED", .rate = "on change, at most 2 Hz", .writers = {"pNav"}});
-inline const auto kNavLandmarkJoint = Declare<LandmarkJoint>(
+inline const auto kNavLandmarkJoint = Declare<LandmarkCovariance>(
     "NAV_LANDMARK_JOINT", "joint covariance of all objects, for the saved session",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pNav"}});
 inline const auto kNavCameraFrame = Declare<ObservedFrame>(

@@ -6,8 +6,8 @@
 namespace limpet {
 namespace {
 
-LandmarkJoint ThreeLandmarks() {
-  LandmarkJoint joint{.ids = {4, 7, 9}, .cov_W = Eigen::MatrixXd(9, 9)};
+LandmarkCovariance ThreeLandmarks() {
+  LandmarkCovariance joint{.ids = {4, 7, 9}, .cov_W = Eigen::MatrixXd(9, 9)};
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column < 9; ++column)
       joint.cov_W(row, column) = 10.0 * row + column;

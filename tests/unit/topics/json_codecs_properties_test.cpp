@@ -58,7 +58,7 @@ class Maker {
            .former = {.id = Whole(), .candidates = {{Whole(), 0.25}, {Whole(), 0.5}}}});
     }
   }
-  void Fill(LandmarkJoint& out) { out = {{Whole(), Whole()}, Symmetric(6)}; }
+  void Fill(LandmarkCovariance& out) { out = {{Whole(), Whole()}, Symmetric(6)}; }
   void Fill(ObservedFrame& out) {
     out = {.frame = Whole(),
            .exposure = Seconds(Real()),
@@ -177,9 +177,9 @@ class JsonProperty : public ::testing::Test {
   Random random_{23, "json"};
 };
 
-using JsonTopics = ::testing::Types<Detections, Landmarks, LandmarkJoint, ObservedFrame, TrackShift,
-                                    OpiBeliefs, SessionPrior, WaterRecord, HelmPath, HelmBids,
-                                    HelmMotion, HelmRevisits, CourseCost>;
+using JsonTopics = ::testing::Types<Detections, Landmarks, LandmarkCovariance, ObservedFrame,
+                                    TrackShift, OpiBeliefs, SessionPrior, WaterRecord, HelmPath,
+                                    HelmBids, HelmMotion, HelmRevisits, CourseCost>;
 TYPED_TEST_SUITE(JsonProperty, JsonTopics);
 
 TYPED_TEST(JsonProperty, ComesBackTheSame) {
