@@ -6,8 +6,9 @@
 
 namespace limpet {
 
-/// Values the new ground an option would show, each cell once, less what it costs to fly and the
-/// ragged border it leaves behind. Metres of path; docs/references.md.
+/// Values by how much an option is expected to lower the entropy of the map of the ground, which
+/// goes with what it newly shows, each height above each cell once; less what it costs to fly and
+/// the ragged border it leaves behind. Metres of path; docs/references.md.
 class BHV_CoverArea final : public Behavior {
  public:
   struct Params {

@@ -2,6 +2,7 @@
 // Bids of BHV_CoverArea on options, against geometry done by hand.
 #include "behaviors/BHV_CoverArea.hpp"
 
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "limpet/core/random.hpp"
 #include "tests/unit/behaviors/every_behavior.hpp"
 #include "tests/unit/behaviors/view_behavior_fixture.hpp"
+#include "tests/unit/planning/scene.hpp"
 
 namespace limpet {
 namespace {
@@ -55,6 +57,58 @@ TEST_F(BhvCoverArea, PricesNewGroundBorderAndWayInMetres) {
   EXPECT_NEAR(Reason(bid, "ragged"), 2.0, 1e-12);
   EXPECT_NEAR(Reason(bid, "length"), 10.0, 1e-12);
   EXPECT_NEAR(bid.value, 6.0 - 2.0 - 10.0, 1e-12);
+}
+
+/// Entropy of all that an image may show: a height above a cell that has not been seen holds as
+/// much as can be, one that has what OctoMap's clamp leaves [nats].
+double MapEntropy(const Ground& ground) {
+  constexpr double kSeen = 0.13;
+  double nats = 0.0;
+  for (const std::uint8_t level : ground.levels()) {
+    for (int layer = 0; layer < Footprint::kLayers; ++layer) {
+      nats += ground.weights()[static_cast<std::size_t>(layer)] *
+              (layer < level ? kSeen : std::numbers::ln2);
+    }
+  }
+  return nats;
+}
+
+SurveyGrid Flown(const SurveyGrid& before, const DubinsPath& path) {
+  SurveyGrid after = before.Blank();
+  static_cast<void>(after.Apply(before.Everything()));
+  scene::Fly(after, path);
+  return after;
+}
+
+double EntropyDrop(const SurveyGrid& before, const DubinsPath& path) {
+  return MapEntropy(Ground(before, scene::TableFootprint())) -
+         MapEntropy(Ground(Flown(before, path), scene::TableFootprint()));
+}
+
+TEST_F(BhvCoverArea, BidsTheDropOfTheMapsEntropyByThatOfAMetreOfFullyUsefulTrack) {
+  const BHV_CoverArea behavior({});
+  const auto straight = [](double length) {
+    return DubinsPath({-12.0, 8.0, 0.0}, {{.curvature = 0.0, .length = length}});
+  };
+  const SurveyGrid unseen(scene::kArea);
+  const double nats_per_metre =
+      (EntropyDrop(unseen, straight(20.0)) - EntropyDrop(unseen, straight(10.0))) / 10.0;
+  const SurveyGrid half_seen =
+      Flown(unseen, DubinsPath({-14.0, -1.0, 0.1}, {{.curvature = 0.0, .length = 25.0}}));
+  Random random(17, "entropy");
+  for (int run = 0; run < 40; ++run) {
+    const Pose2 start{random.Uniform(-8.0, 8.0), random.Uniform(-10.0, 10.0),
+                      random.Uniform(-3.0, 3.0)};
+    const Option option{.source = "beam",
+                        .path = DubinsPath(start, {{random.Uniform(-0.3, 0.3), 6.0}, {0.0, 4.0}})};
+    const SurveyGrid here = Flown(half_seen, DubinsPath(start));  // where it is, it has seen
+    const Ground ground(here, scene::TableFootprint());
+    SeenAlong seen(ground);
+    now_.ground = &ground;
+    const Bid bid = *behavior.Value(Prospect(option, seen(option.path)), now_);
+    EXPECT_NEAR(Reason(bid, "useful"), EntropyDrop(here, option.path) / nats_per_metre, 0.4)
+        << "run " << run;
+  }
 }
 
 TEST_F(BhvCoverArea, LikesMoreGroundAndLessBorderAtEqualLength) {
