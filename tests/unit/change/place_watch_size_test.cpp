@@ -74,8 +74,9 @@ TEST_P(ObjectSizeTest, IsSeenAtAFormerPlaceBeforePNavKnowsALandmarkThere) {
 TEST_P(ObjectSizeTest, IsNotNewWhereTheFormerSessionSawItsBoxes) {
   const Real real{Sized(At(4.0, 0.3), GetParam()), 1};
   FlyOver({real.object}, GetParam());
-  FormerViews views{
-      .frames = statuses_.frames(), .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+  FormerViews views{.frames = statuses_.frames(),
+                    .model = {.look = {.camera = kCamera, .detection = {}}},
+                    .looks = {}};
   statuses_.SetFormer({});
   statuses_.SetFormerViews(std::move(views));
   Landmarks({real});

@@ -98,7 +98,7 @@ TEST_F(StatusFormerTest, AnObjectWhereNobodyLookedBeforeMayBeOld) {
   statuses_.SetFormer({});
   statuses_.SetFormerViews(
       {.frames = {{.exposure = Seconds(0.0), .X_WB = {{100.0, 0.0, 3.0}, 0, 0, 0}}},
-       .model = {.camera = kCamera, .detection = {}},
+       .model = {.look = {.camera = kCamera, .detection = {}}},
        .looks = {}});
   Fly(0.0, {real});
   Landmarks({real});
@@ -119,7 +119,8 @@ TEST_F(StatusFormerTest, AFormerSessionThatNeverLookedProvesNothing) {
 /// The former smoother made no object of what its camera saw.
 TEST_F(StatusFormerTest, AnObjectIsNotNewWhereTheFormerSessionSawBoxesThatItDidNotList) {
   const Real real{At(4, 0.5), 1};
-  FormerViews views{.frames = {}, .model = {.camera = kCamera, .detection = {}}, .looks = {}};
+  FormerViews views{
+      .frames = {}, .model = {.look = {.camera = kCamera, .detection = {}}}, .looks = {}};
   for (double north = -4.0; north <= 12.0; north += 0.5) {
     ObservedFrame view{.exposure = Seconds(north + 4.0), .X_WB = {{north, 0.0, 3.0}, 0, 0, 0}};
     if (VisibleShare(kCamera, view.X_WB, real.object.p_W, 0.5) > 0.5) {

@@ -32,7 +32,7 @@ std::vector<OpiBelief> AssessedWith(double chance) {
   ObjectStatuses statuses(StatusParams{}, kDownCamera);
   const ObjectEstimate seen = YellowAt(4.0, 1.2);
   FormerViews views{.frames = {},
-                    .model = {.camera = kDownCamera, .detection = {}},
+                    .model = {.look = {.camera = kDownCamera, .detection = {}}},
                     .looks = {},
                     .water = VisibilityBelief::Of({Meters(12.0), Meters(4.0)})};
   double time = 0.0;

@@ -122,7 +122,7 @@ inline ObjectStatuses StatusesOf(const Field& field, bool with_former = true) {
   if (with_former) {
     statuses.SetFormer(field.Former());
     statuses.SetFormerViews({.frames = field.former_frames,
-                             .model = {.camera = CameraModel{}, .detection = {}},
+                             .model = {.look = {.camera = CameraModel{}, .detection = {}}},
                              .looks = {}});
   }
   for (const ObservedFrame& frame : field.frames)
