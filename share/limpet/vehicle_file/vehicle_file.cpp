@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -173,18 +174,18 @@ void CheckBattery(YamlReader& in, const YAML::Node& root, const BatterySheet& ba
   }
 }
 
-/// Where a camera's axis meets the image, of so many pixels.
+/// Where a camera's axis meets the image, of so many pixels; nothing: in its middle.
 struct AxisPlace {
   const char* key;
-  double px;
+  std::optional<double> px;
   int size_px;
 };
 
 void CheckAxis(YamlReader& in, const YAML::Node& root, const AxisPlace& axis) {
-  if (axis.px < axis.size_px) return;
+  if (!axis.px || *axis.px < axis.size_px) return;
   in.Complain(root["camera"], axis.key,
               fmt::format("`{:g}`: the axis does not meet the image; allowed: less than {}",
-                          axis.px, axis.size_px));
+                          *axis.px, axis.size_px));
 }
 
 void CheckCamera(YamlReader& in, const YAML::Node& root, const CameraParams& camera) {
