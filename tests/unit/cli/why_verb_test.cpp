@@ -40,12 +40,12 @@ class WhyVerbTest : public ::testing::Test {
                        .length = 10.0,
                        .total = 5.0,
                        .rate = 0.5,
-                       .bids = {{"cover", 5.0, 1.0, false, "useful=9.00"}}},
+                       .bids = {{"cover", 1.0, {.value = 5.0, .why = {{"useful", 9.0}}}}}},
                       {.source = "home",
                        .length = 10.0,
                        .total = -3.0,
                        .rate = -0.3,
-                       .bids = {{"cover", -3.0, 1.0, false, ""}}}};
+                       .bids = {{"cover", 1.0, {.value = -3.0}}}}};
       log << decision.time << "  HELM_BIDS  pHelm  "
           << std::get<std::string>(TopicCodec<HelmBids>::Encode(bids)) << "\n";
     }
