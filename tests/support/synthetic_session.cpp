@@ -97,8 +97,11 @@ HelmBids BidsFor(const HelmPath& path, bool is_look) {
     option.end = {path.north + 9.0 * std::cos(turn), path.east + 9.0 * std::sin(turn)};
     const double looks = is_look ? 5.0 : 0.0;
     option.bids = {
-        {"cover", option.total - looks, 1.0, false, "useful=18.00 ragged=0.00 length=11.00"},
-        {"revisit", looks, 1.0, false, "looks_worth=5.00 open_objects=1.00"}};
+        {"cover",
+         1.0,
+         {.value = option.total - looks,
+          .why = {{"useful", 18.0}, {"ragged", 0.0}, {"length", 11.0}}}},
+        {"revisit", 1.0, {.value = looks, .why = {{"looks_worth", 5.0}, {"open_objects", 1.0}}}}};
     bids.options.push_back(option);
   }
   return bids;
