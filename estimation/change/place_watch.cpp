@@ -175,17 +175,8 @@ PlaceEvidence PlaceWatch::evidence() const {
 }
 
 PerVisibility PlaceWatch::LogLikelihood(double worth, double chance) const {
-  const auto weighed = [&](const Spot& spot) {
-    // Against bare seabed, which no water changes: spots differ in the frames that they were in.
-    const LookLog::Likelihoods seen = spot.log.likelihoods();
-    const PerVisibility there = std::log(chance) + worth * (seen.present - seen.bare);
-    return PerVisibility(std::log(spot.weight) + LogSum(there, std::log1p(-chance)));
-  };
-  PerVisibility sum = weighed(spots_.front());
-  for (std::size_t i = 1; i < spots_.size(); ++i) {
-    sum = LogSum(sum, weighed(spots_[i]));
-  }
-  return sum + worth * spots_.front().log.likelihoods().bare;
+  const LookLog::Likelihoods seen = spots_.front().log.likelihoods();
+  return LogSum(std::log(chance) + worth * seen.present, std::log1p(-chance) + worth * seen.bare);
 }
 
 }  // namespace limpet

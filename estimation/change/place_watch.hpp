@@ -61,9 +61,8 @@ class PlaceWatch {
   void See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of);
   /// For each visibility of the WatchModel, as all that follows.
   [[nodiscard]] PlaceEvidence evidence() const;
-  /// ln P of what was seen here where an object is with this `chance`, wherever that is: one at the
-  /// image's edge may have been outside, however clear the water. Looks count `worth` each: they
-  /// share water, light and pose.
+  /// ln P of what was seen here where an object is with this `chance`. Looks count `worth` each:
+  /// they share water, light and pose.
   [[nodiscard]] PerVisibility LogLikelihood(double worth, double chance) const;
   /// Looks at the most likely spot.
   [[nodiscard]] PerVisibility looks() const { return spots_.front().log.looks(); }

@@ -289,27 +289,6 @@ TEST(LogSum, IsTheLogarithmOfTheSumAndNeitherOverflowsNorCaresForTheOrder) {
   EXPECT_EQ(LogSum(-2000.0, 3.0), 3.0);
 }
 
-/// By how much one water explains better than another that six looks at an object, which is there
-/// and lies so far to starboard, showed none.
-double SaidOfTheWater(const ObjectEstimate& place, double starboard) {
-  WatchModel model = kWatchModel;
-  model.visibilities = VisibilityBelief::Grid();
-  PlaceWatch watch(place, {});
-  for (int i = 0; i < 6; ++i) {
-    watch.See(FrameOver(place.p_W, 0.0, starboard, 10.0 * i), model, Unknown);
-  }
-  const PerVisibility said = watch.LogLikelihood(1.0, 0.999999);
-  return said.maxCoeff() - said.minCoeff();
-}
-
-TEST(PlaceWatch, AnObjectAtTheImagesEdgeThatMayBeOutsideIsNoMurk) {
-  const ObjectEstimate exact = PlaceAt({0, 0, 6}, 1e-6), unsure = PlaceAt({0, 0, 6}, 0.3);
-  const double at_edge = 2.4;
-  EXPECT_GT(SaidOfTheWater(exact, at_edge), 6.0);
-  EXPECT_LT(SaidOfTheWater(unsure, at_edge), 2.0) << "one in six that it lies outside";
-  EXPECT_GT(SaidOfTheWater(unsure, 0.5), 0.9 * SaidOfTheWater(exact, 0.5));
-}
-
 TEST(PlaceWatch, WhatAnObstacleHidesWasNotLookedAt) {
   const ObjectEstimate place = PlaceAt({2.0, 0.0, 7.0});
   WatchModel behind = kWatchModel;
