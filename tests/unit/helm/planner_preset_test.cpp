@@ -65,10 +65,6 @@ TEST(PlannerPreset, OfTheLawnmowerFliesLanesAndNoSearch) {
   EXPECT_EQ(generators.find("beam"), std::string::npos);
 }
 
-TEST(PlannerPreset, HasTheTreeOfViewsOfferInEveryDecision) {
-  EXPECT_NE(PresetOf({}).generators.find("view_tree"), std::string::npos);
-}
-
 TEST(PlannerPreset, GivesWayToGeneratorsThatAMissionNames) {
   ViewParams params;
   EXPECT_NE(PresetOf(params).generators, "");
