@@ -115,8 +115,8 @@ void MissionPlan::Offer(const Task& now, const char* source, std::vector<Option>
   judge.Reset(DubinsPath(now.pose), now.goal);
   is_planned_ = !judge.is_finished();
   if (!is_planned_) return;
-  const TourCost cost = Renew(judge);
-  OfferPlan(plan_, cost, options);
+  Renew(judge);
+  OfferPlan(judge, plan_, options);
   is_planned_ = !completed_.empty();
   if (!is_planned_) return;
   OfferRest(judge, options);
@@ -128,10 +128,18 @@ FlownTour MissionPlan::FromHere(const SurveyTour& tour) const {
   return Fly(DubinsPath(now_.pose), tour, *now_.region, now_.turn_radius);
 }
 
-void MissionPlan::OfferPlan(const SurveyTour& plan, const TourCost& cost,
+/// Of what is flown: where passes cannot be reached, or only by a way around, the tour shows other
+/// ground than its passes and the words between them do.
+TourCost MissionPlan::CostOf(TourJudge& judge, const DubinsPath& path) const {
+  judge.Reset(path, now_.goal);
+  return judge.Cost({});
+}
+
+void MissionPlan::OfferPlan(TourJudge& judge, const SurveyTour& plan,
                             std::vector<Option>& options) {
   FlownTour flown = FromHere(plan);
   if (flown.passes.empty()) return;
+  const TourCost cost = CostOf(judge, flown.path);
   const double length = flown.path.length();
   options.push_back({.source = source_,
                      .path = flown.path,
@@ -144,13 +152,13 @@ void MissionPlan::OfferPlan(const SurveyTour& plan, const TourCost& cost,
 
 /// Of a new plan, those that lead elsewhere and were sought with as much care.
 void MissionPlan::OfferRivals(TourJudge& judge, std::vector<Option>& options) {
-  judge.Reset(DubinsPath(now_.pose), now_.goal);
   std::size_t offered = 0;
   for (SurveyTour& rival : rivals_) {
     if (offered == kRivals) break;
     if (!BeginsOtherwise(FromHere(rival))) continue;
-    const TourCost cost = Improved(judge, rival, params_.first_edits / 4);
-    OfferPlan(rival, cost, options);
+    judge.Reset(DubinsPath(now_.pose), now_.goal);
+    Improve(judge, rival, params_.first_edits / 4);
+    OfferPlan(judge, rival, options);
     ++offered;
   }
   rivals_.clear();
@@ -171,15 +179,15 @@ void MissionPlan::OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& op
     if (!way.is_complete || !BeginsOtherwise(FromHere(Beginning(other.tour)))) continue;
     SurveyTour rest(other.tour.begin() + 1, other.tour.end());
     judge.Reset(way.path, now_.goal);
-    const TourCost cost = Improved(judge, rest, params_.rest_edits);
+    Improve(judge, rest, params_.rest_edits);
     rest.insert(rest.begin(), first.front());
-    OfferPlan(rest, cost, options);
+    OfferPlan(judge, rest, options);
     if (++offered == kOthers) return;
   }
 }
 
-TourCost MissionPlan::Improved(TourJudge& judge, SurveyTour& tour, int edits) {
-  return tour.empty() ? judge.Cost(tour) : search_.Improve(judge, tour, edits);
+void MissionPlan::Improve(TourJudge& judge, SurveyTour& tour, int edits) {
+  if (!tour.empty()) search_.Improve(judge, tour, edits);
 }
 
 /// Than those offered so far.
@@ -192,7 +200,7 @@ bool MissionPlan::BeginsOtherwise(const FlownTour& tour) const {
   });
 }
 
-TourCost MissionPlan::Renew(TourJudge& judge) {
+void MissionPlan::Renew(TourJudge& judge) {
   plan_ = Rest();
   TourCost cost = judge.Cost(plan_);
   if (cost.detours > 0.0) {  // the region's allowance has grown, and turns no longer fit
@@ -207,9 +215,8 @@ TourCost MissionPlan::Renew(TourJudge& judge) {
     if (LeftOutBy(plan_) > left_out_m_ + kLostLooks) Replan(judge);
   }
   left_out_m_ = LeftOutBy(plan_);
-  const TourCost renewed = judge.Cost(plan_);
+  static_cast<void>(judge.Cost(plan_));
   plan_.resize(std::min(plan_.size(), judge.passes_needed()));
-  return renewed;
 }
 
 /// Lanes, lanes behind looks at the targets, and the plan as it is and behind such looks.
@@ -278,7 +285,7 @@ void MissionPlan::OfferRest(TourJudge& judge, std::vector<Option>& options) {
         {std::max(0.0, chosen_.spans[i].low - flown), chosen_.spans[i].high - flown});
   }
   const double length = path.length();
-  const TourCost cost = judge.Cost(rest.passes);
+  const TourCost cost = CostOf(judge, path);
   options.push_back({.source = kPrevious,
                      .path = path,
                      .estimate = -length,
@@ -327,13 +334,14 @@ void MissionPlan::Complete(TourJudge& judge, Completion& completion, bool is_amo
   Option& option = *completion.option;
   if (is_among_the_best && params_.first_edits > 0) {
     judge.Reset(option.path, now_.goal);
-    completion.cost = Improved(judge, completion.tour, params_.rest_edits);
+    Improve(judge, completion.tour, params_.rest_edits);
   }
-  FlownTour flown = Fly(option.path, completion.tour, *now_.region, now_.turn_radius);
+  FlownTour flown = FlyAsPasses(option.path, completion.tour, *now_.region, now_.turn_radius);
+  const TourCost cost = CostOf(judge, flown.path);
   option.own_m = option.path.length();
   option.path = flown.path;
-  option.lacking_m = completion.cost.lacking;
-  option.most_m = completion.cost.most;
+  option.lacking_m = cost.lacking;
+  option.most_m = cost.most;
   completed_.push_back(std::move(flown));
 }
 

@@ -54,7 +54,7 @@ class MissionPlan {
   /// An obstacle that has been found since stands where the plan leads.
   [[nodiscard]] bool IsInTheWay() const;
   [[nodiscard]] SurveyTour Rest() const;
-  [[nodiscard]] TourCost Renew(TourJudge& judge);
+  void Renew(TourJudge& judge);
   /// What a new plan is sought from.
   [[nodiscard]] std::vector<SurveyTour> Seeds(TourJudge& judge) const;
   [[nodiscard]] bool SeesOtherwise() const;
@@ -62,10 +62,11 @@ class MissionPlan {
   [[nodiscard]] double LeftOutBy(const SurveyTour& tour) const;
   void Replan(TourJudge& judge);
   [[nodiscard]] FlownTour FromHere(const SurveyTour& tour) const;
-  void OfferPlan(const SurveyTour& plan, const TourCost& cost, std::vector<Option>& options);
+  [[nodiscard]] TourCost CostOf(TourJudge& judge, const DubinsPath& path) const;
+  void OfferPlan(TourJudge& judge, const SurveyTour& plan, std::vector<Option>& options);
   void OfferRivals(TourJudge& judge, std::vector<Option>& options);
   void OfferOtherBeginnings(TourJudge& judge, std::vector<Option>& options);
-  [[nodiscard]] TourCost Improved(TourJudge& judge, SurveyTour& tour, int edits);
+  void Improve(TourJudge& judge, SurveyTour& tour, int edits);
   [[nodiscard]] bool BeginsOtherwise(const FlownTour& tour) const;
   void OfferRest(TourJudge& judge, std::vector<Option>& options);
   struct Completion;

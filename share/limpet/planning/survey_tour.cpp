@@ -11,10 +11,11 @@ namespace {
 
 constexpr double kPiece = 4.0;      ///< passes are counted in pieces of this length [m]
 constexpr double kTurnPiece = 2.0;  ///< turns in these [m]
-/// Way for a metre of useful track that a tour lacks, and for lacking any: more than it takes to
-/// fetch it, so that tours finish where they can.
+/// Way for a metre of useful track that a tour lacks: more than it takes to fetch it, so that tours
+/// finish where they can.
 constexpr double kFetchPrice = 12.0;
-constexpr double kUnfinishedPrice = 20.0;
+/// And for lacking any: little, or a survey goes back across the area for the last square metre.
+constexpr double kUnfinishedPrice = 6.0;
 
 /// Share of a piece after which only `left` cells are unseen, of which there are `before` at its
 /// start and `after` at its end; all of it where more are.

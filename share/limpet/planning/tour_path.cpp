@@ -29,16 +29,35 @@ std::optional<DubinsPath> WayInside(const Pose2& from, const Pose2& to, const Re
   return WayAround(from, to, region, turn_radius);
 }
 
+FlownTour PassesOf(const DubinsPath& way) {
+  FlownTour flown{.path = way, .passes = {}, .spans = {}};
+  Pose2 at = way.start();
+  double begin = 0.0;
+  const std::vector<PathSegment>& segments = way.segments();
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Pose2 end = Advance(at, segments[i].curvature, segments[i].length);
+    const double done = begin + segments[i].length;
+    const bool is_straight = segments[i].curvature == 0.0;
+    const bool leads_to_straight = i + 1 < segments.size() && segments[i + 1].curvature == 0.0;
+    if (is_straight) {
+      flown.passes.push_back({.in = at, .length = segments[i].length});
+      flown.spans.push_back({begin, done});
+    } else if (!leads_to_straight) {
+      flown.passes.push_back({.in = end, .length = 0.0});
+      flown.spans.push_back({done, done});
+    }
+    at = end;
+    begin = done;
+  }
+  return flown;
+}
+
 /// A vehicle that is here can go on.
 bool HasRoom(const Pose2& pose, const Region& region, Meters turn_radius) {
   return region.Contains(pose) && region.IsRecoverable(pose, turn_radius);
 }
 
-}  // namespace
-
-FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
-              Meters turn_radius) {
-  FlownTour flown{.path = way, .passes = {}, .spans = {}};
+FlownTour FlyOn(FlownTour flown, const SurveyTour& tour, const Region& region, Meters turn_radius) {
   for (const Pass& pass : tour) {
     const auto there = WayInside(flown.path.end(), pass.in, region, turn_radius);
     if (!there || !IsInside(pass, region)) {
@@ -52,6 +71,18 @@ FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& regio
     flown.spans.push_back({begin, flown.path.length()});
   }
   return flown;
+}
+
+}  // namespace
+
+FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
+              Meters turn_radius) {
+  return FlyOn({.path = way, .passes = {}, .spans = {}}, tour, region, turn_radius);
+}
+
+FlownTour FlyAsPasses(const DubinsPath& way, const SurveyTour& tour, const Region& region,
+                      Meters turn_radius) {
+  return FlyOn(PassesOf(way), tour, region, turn_radius);
 }
 
 SurveyTour FittedInside(const SurveyTour& tour, const Region& region, Meters turn_radius) {

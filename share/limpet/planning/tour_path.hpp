@@ -21,6 +21,12 @@ struct FlownTour {
 [[nodiscard]] FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& region,
                             Meters turn_radius);
 
+/// As Fly, and what `way` does is kept as passes of its own: its straight pieces, and where it
+/// turns from one side to the other, or ends in a turn, the pose there. What is left of the tour
+/// later still shows what the rest of `way` does.
+[[nodiscard]] FlownTour FlyAsPasses(const DubinsPath& way, const SurveyTour& tour,
+                                    const Region& region, Meters turn_radius);
+
 /// Its passes cut shorter at their ends, until there is room to turn within the region; those of
 /// which nothing is left are left out.
 [[nodiscard]] SurveyTour FittedInside(const SurveyTour& tour, const Region& region,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -182,6 +183,64 @@ TEST(MissionPlan, GoesOnBehindAnotherOptionThatWasChosen) {
   plan.OnChoice(chosen);
   const auto next = OffersAt(plan, survey.At(chosen.path.At(8.0), 8.0));
   EXPECT_NE(std::ranges::find(next, "previous", &Option::source), next.end());
+}
+
+/// Of every option, what its path lacks by itself.
+void ExpectHonest(const std::vector<Option>& options, const BegunSurvey& survey,
+                  const MissionPlan::Task& now) {
+  TourJudge judge(survey.ground, survey.region, scene::kRadius);
+  for (const Option& option : options) {
+    judge.Reset(option.path, now.goal);
+    EXPECT_NEAR(judge.Cost({}).lacking, option.lacking_m, 1e-6) << option.source;
+  }
+}
+
+/// The region grows narrower and there is a zone: passes that cannot be reached any more show
+/// nothing, and others are reached by ways around.
+TEST(MissionPlan, AnOptionLacksWhatItsPathLacks) {
+  SurveyArea area = scene::kArea;
+  area.keep_out = "{-4,-4:4,-4:4,4:-4,4}";
+  for (const std::uint64_t seed : {1U, 2U}) {
+    BegunSurvey survey(area);
+    MissionPlan plan({.first_edits = 200, .edits = 50}, Random(seed));
+    MissionPlan::Task now = survey.At(scene::kStart);
+    for (int decision = 0; decision < 5; ++decision) {
+      std::vector<Option> options = OffersAt(plan, now);
+      ASSERT_FALSE(options.empty());
+      options.push_back({.source = "other", .path = DubinsPath(now.pose, {{0.1, 6.0}})});
+      plan.Complete(options);
+      if (!options.back().is_whole()) options.pop_back();
+      ExpectHonest(options, survey, now);
+      const Option& chosen = options[decision % 2 == 0 ? 0 : options.size() - 1];
+      plan.OnChoice(chosen);
+      survey.region = Region(area, Meters(0.25 * decision));
+      scene::Fly(survey.grid, chosen.path.Prefix(4.0));
+      survey.ground.Update(survey.grid);
+      now = survey.At(chosen.path.At(4.0), now.travelled + 4.0);
+    }
+  }
+}
+
+/// Where another option was chosen, what it was to show by itself stays part of the plan.
+TEST(MissionPlan, GoesOnAlongAnotherOptionThatWasChosen) {
+  BegunSurvey survey;
+  MissionPlan plan({.first_edits = 400, .edits = 0, .rest_edits = 0}, Random(7));
+  std::vector<Option> options = OffersAt(plan, survey.At(scene::kStart));
+  const double radius = scene::kRadius.value();
+  const DubinsPath own(scene::kStart, {{0.0, 6.0},
+                                       {-1.0 / radius, 0.5 * std::numbers::pi * radius},
+                                       {0.0, 12.0},
+                                       {1.0 / radius, radius}});
+  options.push_back({.source = "other", .path = own});
+  plan.Complete(options);
+  plan.OnChoice(options.back());
+  scene::Fly(survey.grid, own.Prefix(4.0));
+  survey.ground.Update(survey.grid);
+  const std::vector<Option> next = OffersAt(plan, survey.At(own.At(4.0), 4.0));
+  ASSERT_FALSE(next.empty());
+  for (const double further : {8.0, 15.0, own.length() - 4.0}) {
+    EXPECT_NEAR(Distance(next[0].path.At(further), own.At(4.0 + further)), 0.0, 1e-6) << further;
+  }
 }
 
 TEST(MissionPlan, OffersNothingOnceAllIsSeen) {
