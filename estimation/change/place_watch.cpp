@@ -26,11 +26,6 @@ constexpr double kLargestSize = 1.6;
 constexpr double kSizeSigmas = 2.0;  ///< of the object's own size that these shares allow for
 constexpr double kMostSlack = 2.5;   ///< a size that is known no better tells nothing
 
-// Along the image's border an object comes and goes with a few pixels of its place, its size and
-// the vehicle's roll, the same ones for many frames. The logarithms of how likely that was in two
-// waters differ by so much at most.
-constexpr double kMostAlongBorder = 2.0;
-
 LookModel LookModelOf(const WatchModel& model, const ObjectEstimate& place) {
   LookModel look = model.look;
   look.object_radius = place.RadiusOr(look.object_radius);
@@ -99,13 +94,6 @@ bool Foresight::Explains(const Box& box, const CameraModel& camera) const {
   return (centre - inside).norm() <= gate && (centre - pixel).norm() <= gate + radius;
 }
 
-bool Foresight::IsClearOfBorder(const LookModel& look) const {
-  // Of a disc cut by a line at distance d from its centre, more than (1 + d / radius) / 2 is left.
-  const double inside = gate / kGateSigmas + (2.0 * look.detection.share_full - 1.0) * radius;
-  return pixel.x() >= inside && pixel.x() <= look.camera.width_px - inside && pixel.y() >= inside &&
-         pixel.y() <= look.camera.height_px - inside;
-}
-
 std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
                                  const WatchModel& model) {
   const Eigen::Vector3d p_C = model.look.camera.InCamera(X_WB, place.p_W);
@@ -136,8 +124,7 @@ const Box* FindBox(const ObservedFrame& frame, const ObjectEstimate& place, cons
   return boxes.own != nullptr ? boxes.own : boxes.possible;
 }
 
-PlaceWatch::PlaceWatch(const ObjectEstimate& place, const LookParams& looks)
-    : place_(place), inside_(looks), along_border_(looks) {
+PlaceWatch::PlaceWatch(const ObjectEstimate& place, const LookParams& looks) : place_(place) {
   // Unscented points of the horizontal position: their mean and covariance are the place's.
   const double north = std::sqrt(3.0 * std::max(place.cov_W(0, 0), 0.0));
   const double east = std::sqrt(3.0 * std::max(place.cov_W(1, 1), 0.0));
@@ -160,19 +147,15 @@ void PlaceWatch::See(const ObservedFrame& frame, const WatchModel& model, const 
   const LookModel look = LookModelOf(model, place_);
   const PerVisibility visibilities =
       model.visibilities.value_or(model.look.detection.visibility.value());
-  LookLog& of_water = foresight->IsClearOfBorder(model.look) ? inside_ : along_border_;
   for (Spot& spot : spots_) {
     const PerVisibility detects = ChancesToDetect(look, frame.X_WB, spot.p_W, visibilities);
     if (detects.maxCoeff() < model.least_detection && !has_own) continue;
     if (!has_own && model.obstacles.Hide(EyeOf(model.look.camera, frame.X_WB), spot.p_W)) continue;
-    const FrameEvidence seen{
-        .time = frame.exposure.value(),
-        .p_OC = frame.X_WB.p_WB - spot.p_W,
-        .detects = has_own ? PerVisibility(detects.max(model.least_detection)) : detects,
-        .false_alarm = false_alarm,
-        .has_box = has_own || boxes.possible != nullptr};
-    spot.log.Add(seen);
-    if (&spot == &spots_.front()) of_water.Add(seen);
+    spot.log.Add({.time = frame.exposure.value(),
+                  .p_OC = frame.X_WB.p_WB - spot.p_W,
+                  .detects = has_own ? PerVisibility(detects.max(model.least_detection)) : detects,
+                  .false_alarm = false_alarm,
+                  .has_box = has_own || boxes.possible != nullptr});
   }
 }
 
@@ -192,11 +175,8 @@ PlaceEvidence PlaceWatch::evidence() const {
 }
 
 PerVisibility PlaceWatch::LogLikelihood(double worth, double chance) const {
-  const LookLog::Likelihoods inside = inside_.likelihoods();
-  const LookLog::Likelihoods border = along_border_.likelihoods();
-  const PerVisibility present = border.present.max(border.present.maxCoeff() - kMostAlongBorder);
-  return LogSum(std::log(chance) + worth * (inside.present + present),
-                std::log1p(-chance) + worth * (inside.bare + border.bare));
+  const LookLog::Likelihoods seen = spots_.front().log.likelihoods();
+  return LogSum(std::log(chance) + worth * seen.present, std::log1p(-chance) + worth * seen.bare);
 }
 
 }  // namespace limpet

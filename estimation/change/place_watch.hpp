@@ -32,9 +32,6 @@ struct Foresight {
   double size_slack = 1.0;
   /// True if the box could be that of an object here.
   [[nodiscard]] bool Explains(const Box& box, const CameraModel& camera) const;
-  /// True if the image's border does not change the chance of a box, even if the object lies one
-  /// standard deviation nearer to it.
-  [[nodiscard]] bool IsClearOfBorder(const LookModel& look) const;
 };
 /// Nothing for a place that is far outside the image.
 [[nodiscard]] std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
@@ -80,8 +77,6 @@ class PlaceWatch {
   };
   ObjectEstimate place_;
   std::vector<Spot> spots_;
-  /// At the most likely spot, by whether the image's border matters.
-  LookLog inside_, along_border_;
 };
 
 }  // namespace limpet

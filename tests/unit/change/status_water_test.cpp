@@ -149,41 +149,6 @@ TEST(StatusWater, ObjectsSeenFromAfarAreClearWater) {
   EXPECT_GT(water.sd.value(), 2.0) << "how clear cannot be known from so near";
 }
 
-/// Of something seen in every other frame on the way round it, its centre always so far inside the
-/// image's border.
-VisibilityEstimate WaterBySomethingAlongTheBorder(double inside_px) {
-  constexpr double kBelow = 4.0;
-  const double aside = (kWaterCamera.cx - inside_px) / kWaterCamera.fx * kBelow;
-  ObjectStatuses statuses(StatusParams{}, kWaterCamera);
-  const ObjectEstimate object{
-      .p_W = {0, 0, 3.0 + kBelow}, .cov_W = 0.04 * Eigen::Matrix3d::Identity(), .color = "yellow"};
-  for (int i = 0; i < 80; ++i) {
-    const double yaw = 0.05 * i;
-    const Pose X_WB{{aside * std::sin(yaw), -aside * std::cos(yaw), 3.0}, 0, 0, yaw};
-    ObservedFrame frame{.exposure = Seconds(0.25 * i), .X_WB = X_WB};
-    const Eigen::Vector2d pixel = *kWaterCamera.Project(kWaterCamera.InCamera(X_WB, object.p_W));
-    const double size = kWaterCamera.fx / kBelow;
-    if (i % 2 == 0) {
-      frame.boxes = {{.u = pixel.x(),
-                      .v = pixel.y(),
-                      .w = size,
-                      .h = size,
-                      .confidence = 0.9,
-                      .color = "yellow",
-                      .landmark = 1}};
-    }
-    statuses.AddFrame(std::move(frame));
-  }
-  statuses.SetLandmarks({{.id = 1, .object = object, .detections = 40}});
-  return statuses.Water().estimate();
-}
-
-TEST(StatusWater, WhatComesAndGoesAlongTheImagesBorderIsNotMurk) {
-  EXPECT_GT(WaterBySomethingAlongTheBorder(17.0).visibility.value(), 5.5);
-  EXPECT_GT(WaterBySomethingAlongTheBorder(10.0).visibility.value(), 5.5);
-  EXPECT_LT(WaterBySomethingAlongTheBorder(200.0).visibility.value(), 3.5) << "inside it is";
-}
-
 TEST(StatusWater, OneObjectThatNoDetectorKnowsDoesNotProveMurk) {
   const std::vector<Sunk> seen{{.north = 0}, {.north = 9}, {.north = 18}, {.north = 27}};
   std::vector<Sunk> with_blind = seen;
