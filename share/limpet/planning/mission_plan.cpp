@@ -299,7 +299,7 @@ void MissionPlan::OfferRest(TourJudge& judge, std::vector<Option>& options) {
 struct MissionPlan::Completion {
   Option* option = nullptr;
   SurveyTour tour;
-  TourCost cost{};
+  double cost = 0.0;  ///< before it is improved [m]
 };
 
 void MissionPlan::Complete(std::vector<Option>& options) {
@@ -312,8 +312,7 @@ void MissionPlan::Complete(std::vector<Option>& options) {
       completions.push_back(CompletionOf(judge, option));
     }
   }
-  std::ranges::stable_sort(completions, {},
-                           [](const Completion& completion) { return completion.cost.total; });
+  std::ranges::stable_sort(completions, {}, &Completion::cost);
   for (std::size_t i = 0; i < completions.size(); ++i) {
     Complete(judge, completions[i], i < kBest);
   }
@@ -321,12 +320,12 @@ void MissionPlan::Complete(std::vector<Option>& options) {
 
 MissionPlan::Completion MissionPlan::CompletionOf(TourJudge& judge, Option& option) const {
   judge.Reset(option.path, now_.goal);
-  Completion completion{.option = &option, .tour = {}, .cost = {}};
+  Completion completion{.option = &option, .tour = {}};
   if (!judge.is_finished()) {
     completion.tour = plan_;
     DropIdlePasses(judge, completion.tour);
   }
-  completion.cost = judge.Cost(completion.tour);
+  completion.cost = judge.Cost(completion.tour).total;
   return completion;
 }
 
