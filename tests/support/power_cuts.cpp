@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -153,28 +154,60 @@ PowerCuts CutJournal(std::uint64_t seed, int cuts) {
   });
 }
 
+namespace {
+
+/// Generations of which some tiles of the map are as before.
+class SavedGenerations {
+ public:
+  explicit SavedGenerations(CutLife& life) : life_(life) {}
+
+  [[nodiscard]] bool Commit(SessionWriter& writer, bool has_former) {
+    SessionFiles written{{"objects.json", life_.Text(500)}, {"mission/a.moos", life_.Text(200)}};
+    std::set<std::string> unchanged;
+    SessionFiles all = written;
+    for (const char* tile : {"map/-1_0.ot.gz", "map/0_0.ot.gz", "map/0_1.ot.gz", "map/1_1.ot.gz"}) {
+      const auto former = saved_.back().find(tile);
+      if (has_former && former != saved_.back().end() && life_.random().Chance(0.7)) {
+        unchanged.insert(tile);
+        all.insert(*former);
+      } else if (life_.random().Chance(0.8)) {
+        all[tile] = written[tile] = life_.Text(8000);
+      }
+    }
+    saved_.push_back(std::move(all));
+    const bool is_saved = writer.Commit({}, written, unchanged).has_value();
+    marks_.push_back({life_.disk().calls(), saved_.size() - 1});
+    return is_saved;
+  }
+  [[nodiscard]] const std::vector<SessionFiles>& saved() const { return saved_; }
+  [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
+
+ private:
+  CutLife& life_;
+  std::vector<SessionFiles> saved_{{}};
+  std::vector<Mark> marks_;
+};
+
+}  // namespace
+
 PowerCuts CutSession(std::uint64_t seed, int cuts) {
   CutLife life(seed);
   const fs::path home = fs::path("run") / "session";
-  std::vector<SessionFiles> saved{{}};
-  std::vector<Mark> marks;
-  const auto commit = [&](SessionWriter& writer) {
-    SessionFiles files{{"objects.json", life.Text(500)}, {"mission/a.moos", life.Text(200)}};
-    files["map.ot"] = life.Text(20'000);
-    saved.push_back(files);
-    const bool is_saved = writer.Commit({}, files).has_value();
-    marks.push_back({life.disk().calls(), saved.size() - 1});
-    return is_saved;
+  SavedGenerations generations(life);
+  const auto commit = [&](SessionWriter& writer, bool has_former) {
+    return generations.Commit(writer, has_former);
   };
   SessionWriter first(life.root() / home, life.disk()), second(life.root() / home, life.disk());
-  const bool is_done = commit(first) && commit(first) && commit(first) &&
-                       SetSessionAside(life.root() / home, life.disk()) && commit(second) &&
-                       commit(second);
+  SessionWriter of_next_life(life.root() / home, life.disk());
+  const bool is_done = commit(first, false) && commit(first, true) && commit(first, true) &&
+                       SetSessionAside(life.root() / home, life.disk()) && commit(second, false) &&
+                       commit(second, true) && commit(of_next_life, true);
   if (!is_done) {
     return {.cuts = 0, .lossy = 0, .complaints = {"cannot be saved"}};
   }
+  const std::vector<SessionFiles>& saved = generations.saved();
   return life.Cut(cuts, [&](std::size_t calls, const fs::path& left, bool& has_lost) {
-    const std::size_t wanted = DoneBefore(marks, calls);
+    const std::size_t wanted = DoneBefore(generations.marks(), calls);
     std::size_t found = 0;
     std::string trouble = "none";
     for (const char* name : {"session", "session-former-1"}) {

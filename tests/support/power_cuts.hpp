@@ -21,8 +21,8 @@ struct PowerCuts {
 [[nodiscard]] PowerCuts CutLog(std::uint64_t seed, int cuts);
 /// A compressed log: it is there, plain or packed, and whole once it was closed.
 [[nodiscard]] PowerCuts CutPackedLog(std::uint64_t seed, int cuts);
-/// Generations of a session, of which the last is set aside for another one: the last that was said
-/// to be saved is there, or a later one.
+/// Generations of a session that keep files of the one before, of which the last is set aside for
+/// another one: the last that was said to be saved is there, or a later one.
 [[nodiscard]] PowerCuts CutSession(std::uint64_t seed, int cuts);
 /// A journal: its records are those that were appended, from the first on without a gap, and those
 /// older than 1 s are among them.

@@ -213,6 +213,19 @@ std::error_code TornDisk::Rename(const fs::path& from, const fs::path& to) {
   return trouble;
 }
 
+std::error_code TornDisk::Link(const fs::path& existing, const fs::path& name) {
+  const std::lock_guard lock(account_->mutex);
+  const std::error_code trouble = RealFileSystem().Link(existing, name);
+  if (!trouble) {
+    const fs::path relative = name.lexically_relative(root_);
+    account_->Note({.kind = Call::Kind::kNames,
+                    .entries = {{.folder = account_->Find(relative.parent_path()),
+                                 .name = relative.filename().string(),
+                                 .node = account_->Find(existing.lexically_relative(root_))}}});
+  }
+  return trouble;
+}
+
 std::error_code TornDisk::Remove(const fs::path& path) {
   const std::lock_guard lock(account_->mutex);
   const fs::path relative = path.lexically_relative(root_);

@@ -71,6 +71,12 @@ std::error_code FailingFileSystem::Rename(const std::filesystem::path& from,
   return trouble ? trouble : disk_.Rename(from, to);
 }
 
+std::error_code FailingFileSystem::Link(const std::filesystem::path& existing,
+                                        const std::filesystem::path& name) {
+  const std::error_code trouble = TroubleOfWriting();
+  return trouble ? trouble : disk_.Link(existing, name);
+}
+
 std::error_code FailingFileSystem::Remove(const std::filesystem::path& path) {
   const std::error_code trouble = TroubleOfChanging();
   return trouble ? trouble : disk_.Remove(path);

@@ -48,6 +48,8 @@ class FailingFileSystem final : public FileSystem {
   [[nodiscard]] Opened Open(const std::filesystem::path& path, Opening how) override;
   [[nodiscard]] std::error_code Rename(const std::filesystem::path& from,
                                        const std::filesystem::path& to) override;
+  [[nodiscard]] std::error_code Link(const std::filesystem::path& existing,
+                                     const std::filesystem::path& name) override;
   [[nodiscard]] std::error_code Remove(const std::filesystem::path& path) override;
   [[nodiscard]] std::error_code CreateFolder(const std::filesystem::path& path) override;
   [[nodiscard]] std::error_code SyncFolder(const std::filesystem::path& path) override;

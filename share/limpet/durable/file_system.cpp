@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/durable/file_system.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 
 #include <fcntl.h>
@@ -78,6 +80,11 @@ class PosixFileSystem final : public FileSystem {
     fs::rename(from, to, trouble);
     return trouble;
   }
+  [[nodiscard]] std::error_code Link(const fs::path& existing, const fs::path& name) override {
+    std::error_code trouble;
+    fs::create_hard_link(existing, name, trouble);
+    return trouble;
+  }
   [[nodiscard]] std::error_code Remove(const fs::path& path) override {
     std::error_code trouble;
     fs::remove(path, trouble);
@@ -105,6 +112,15 @@ class PosixFileSystem final : public FileSystem {
 };
 
 }  // namespace
+
+bool IsWithoutLinks(const std::error_code& trouble) {
+  // EPERM is what FAT says, and Linux of another user's file; ENOSYS comes from some of FUSE.
+  return std::ranges::any_of(
+      std::array{std::errc::operation_not_permitted, std::errc::not_supported,
+                 std::errc::operation_not_supported, std::errc::function_not_supported,
+                 std::errc::too_many_links, std::errc::cross_device_link},
+      [&trouble](std::errc reason) { return trouble == reason; });
+}
 
 FileSystem& RealFileSystem() {
   static PosixFileSystem disk;

@@ -48,6 +48,10 @@ class FileSystem {
   [[nodiscard]] virtual Opened Open(const std::filesystem::path& path, Opening how) = 0;
   [[nodiscard]] virtual std::error_code Rename(const std::filesystem::path& from,
                                                const std::filesystem::path& to) = 0;
+  /// One more name (a hard link) for the file `existing`: one content, which stays until both
+  /// names are removed. `file_exists` if the name is taken.
+  [[nodiscard]] virtual std::error_code Link(const std::filesystem::path& existing,
+                                             const std::filesystem::path& name) = 0;
   /// A file, or an empty folder.
   [[nodiscard]] virtual std::error_code Remove(const std::filesystem::path& path) = 0;
   /// One folder in one that is there; `file_exists` if the name is taken.
@@ -58,6 +62,10 @@ class FileSystem {
   [[nodiscard]] virtual std::optional<std::uint64_t> Room(
       const std::filesystem::path& path) const = 0;
 };
+
+/// Whether Link failed for want of hard links, where a copy may still succeed: FAT and some network
+/// mounts have none, others no more of one file, none reach another disk.
+[[nodiscard]] bool IsWithoutLinks(const std::error_code& trouble);
 
 /// The machine's own.
 [[nodiscard]] FileSystem& RealFileSystem();

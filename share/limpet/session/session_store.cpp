@@ -41,10 +41,10 @@ std::string SealedText(const json& body) {
   return TextOf(json{{"body", body}, {"xxh3_64", ChecksumOf(TextOf(body))}}) + "\n";
 }
 
-json BodyOf(const SessionFacts& facts, int generation, const SessionFiles& files) {
+json BodyOf(const SessionFacts& facts, int generation, const ListedFiles& files) {
   json listed = json::array();
-  for (const auto& [name, bytes] : files) {
-    listed.push_back({{"name", name}, {"size", bytes.size()}, {"xxh3_64", ChecksumOf(bytes)}});
+  for (const auto& [name, file] : files) {
+    listed.push_back({{"name", name}, {"size", file.size}, {"xxh3_64", file.checksum}});
   }
   return {{"format", kFormat},
           {"version", kVersion},
@@ -53,17 +53,68 @@ json BodyOf(const SessionFacts& facts, int generation, const SessionFiles& files
           {"files", listed}};
 }
 
+Error Damaged(const fs::path& file, const std::string& why) {
+  return Error{file.string() + ": " + why};
+}
+
+std::optional<Error> SizeTrouble(const fs::path& file, std::uintmax_t size,
+                                 const ListedFile& listed) {
+  if (size == listed.size) return std::nullopt;
+  return Damaged(file, fmt::format("damaged: {} bytes instead of {}", size, listed.size));
+}
+
+Expected<std::string> ReadListed(const fs::path& file, const ListedFile& listed) {
+  Expected<std::string> bytes = ReadWhole(file);
+  if (!bytes) {
+    return Damaged(file, "missing");
+  }
+  if (std::optional<Error> error = SizeTrouble(file, bytes->size(), listed)) {
+    return *error;
+  }
+  if (ChecksumOf(*bytes) != listed.checksum) {
+    return Damaged(file, "damaged: its checksum does not match");
+  }
+  return bytes;
+}
+
+/// `file` becomes what `former`, which is on the disk, is.
+std::optional<Error> KeepFile(const fs::path& former, const fs::path& file,
+                              const ListedFile& listed, FileSystem& disk) {
+  std::error_code missing;
+  const std::uintmax_t size = fs::file_size(former, missing);
+  if (missing) return Damaged(former, "missing");
+  if (auto error = SizeTrouble(former, size, listed)) return error;
+  const std::error_code trouble = disk.Link(former, file);
+  if (!trouble) return std::nullopt;
+  if (!IsWithoutLinks(trouble)) {
+    return Error{fmt::format("{}: cannot be linked: {}", former.string(), trouble.message())};
+  }
+  const Expected<std::string> bytes = ReadListed(former, listed);
+  return bytes ? WriteContent(file, *bytes, disk) : bytes.error();
+}
+
+/// Where files are `kept` from, and which.
+struct FormerFiles {
+  fs::path folder;
+  const ListedFiles& kept;
+};
+
 std::optional<Error> WriteGeneration(const fs::path& folder, const SessionFiles& files,
-                                     FileSystem& disk) {
+                                     const FormerFiles& former, FileSystem& disk) {
   if (fs::exists(folder)) RemoveFolder(folder, disk);  // what an interrupted save left
-  if (auto error = CreateFolders(folder, disk)) return error;
   std::set<fs::path> folders{folder};
+  for (const auto& [name, bytes] : files)
+    folders.insert((folder / name).parent_path());
+  for (const auto& [name, listed] : former.kept)
+    folders.insert((folder / name).parent_path());
+  for (const fs::path& needed : folders) {
+    if (auto error = CreateFolders(needed, disk)) return error;
+  }
   for (const auto& [name, bytes] : files) {
-    const fs::path file = folder / name;
-    if (folders.insert(file.parent_path()).second) {
-      if (auto error = CreateFolders(file.parent_path(), disk)) return error;
-    }
-    if (auto error = WriteContent(file, bytes, disk)) return error;
+    if (auto error = WriteContent(folder / name, bytes, disk)) return error;
+  }
+  for (const auto& [name, listed] : former.kept) {
+    if (auto error = KeepFile(former.folder / name, folder / name, listed, disk)) return error;
   }
   // Names and content are on the disk before the manifest tells of them.
   for (const fs::path& filled : folders) {
@@ -102,11 +153,13 @@ int GreatestGeneration(const fs::path& folder) {
   return greatest;
 }
 
-Error Damaged(const fs::path& file, const std::string& why) {
-  return Error{file.string() + ": " + why};
-}
+struct Manifest {
+  SessionFacts facts;
+  int generation = 0;
+  ListedFiles files;
+};
 
-Expected<json> ReadManifest(const fs::path& file) {
+Expected<json> ReadManifestBody(const fs::path& file) {
   const Expected<std::string> text = ReadWhole(file);
   if (!text) {
     return Damaged(file, "missing: no complete session here");
@@ -123,45 +176,75 @@ Expected<json> ReadManifest(const fs::path& file) {
   return body;
 }
 
-std::optional<Error> ReadListed(const json& listed, const fs::path& folder,
-                                StoredSession& session) {
-  for (const json& entry : listed) {
-    const std::string name = entry.at("name");
-    if (fs::path(name).is_absolute() || name.find("..") != std::string::npos) {
-      return Damaged(folder, "lists a file outside the session: " + name);
-    }
-    Expected<std::string> bytes = ReadWhole(folder / name);
-    if (!bytes) {
-      return Damaged(folder / name, "missing");
-    }
-    if (bytes->size() != entry.at("size").get<std::size_t>()) {
-      return Damaged(folder / name, fmt::format("damaged: {} bytes instead of {}", bytes->size(),
-                                                entry.at("size").get<std::size_t>()));
-    }
-    if (ChecksumOf(*bytes) != entry.at("xxh3_64").get<std::string>()) {
-      return Damaged(folder / name, "damaged: its checksum does not match");
-    }
-    session.files[name] = *std::move(bytes);
+Expected<Manifest> ReadManifest(const fs::path& file) {
+  const Expected<json> body = ReadManifestBody(file);
+  if (!body) {
+    return body.error();
   }
-  return std::nullopt;
+  try {
+    Manifest manifest{.facts = body->at("facts").get<SessionFacts>(),
+                      .generation = body->at("generation").get<int>(),
+                      .files = {}};
+    for (const json& entry : body->at("files")) {
+      const std::string name = entry.at("name");
+      if (fs::path(name).is_absolute() || name.find("..") != std::string::npos) {
+        return Damaged(file, "lists a file outside the session: " + name);
+      }
+      manifest.files[name] = {.size = entry.at("size").get<std::uint64_t>(),
+                              .checksum = entry.at("xxh3_64").get<std::string>()};
+    }
+    return manifest;
+  } catch (const json::exception& problem) {
+    return Damaged(file, std::string("lacks an entry: ") + problem.what());
+  }
 }
 
 }  // namespace
 
-Expected<int> SessionWriter::Commit(SessionFacts facts, const SessionFiles& files) {
+Expected<ListedFiles> SessionWriter::Kept(const SessionFiles& files,
+                                          const std::set<std::string>& unchanged) {
+  ListedFiles kept;
+  for (const std::string& name : unchanged) {
+    if (files.contains(name)) continue;
+    if (!last_) {  // this writer's first
+      Expected<Manifest> manifest = ReadManifest(folder_ / kManifest);
+      if (!manifest) return Error{name + " cannot be kept: " + manifest.error().text};
+      last_ = Generation{.number = manifest->generation, .files = std::move(manifest->files)};
+    }
+    const auto found = last_->files.find(name);
+    if (found == last_->files.end()) {
+      return Error{fmt::format("{} cannot be kept: {} has no such file", name,
+                               (folder_ / GenerationName(last_->number)).string())};
+    }
+    kept.insert(*found);
+  }
+  return kept;
+}
+
+Expected<int> SessionWriter::Commit(SessionFacts facts, const SessionFiles& files,
+                                    const std::set<std::string>& unchanged) {
   facts.limpet = LIMPET_VERSION;
+  Expected<ListedFiles> listed = Kept(files, unchanged);
+  if (!listed) {
+    return listed.error();
+  }
+  const int last = last_ ? last_->number : 0;
   // Never into the folder of a generation that is there: the manifest may name it.
-  const int generation = std::max(generation_, GreatestGeneration(folder_)) + 1;
+  const int generation = std::max(last, GreatestGeneration(folder_)) + 1;
   const std::string name = GenerationName(generation);
-  if (std::optional<Error> error = WriteGeneration(folder_ / name, files, disk_)) {
+  const FormerFiles former{.folder = folder_ / GenerationName(last), .kept = *listed};
+  if (std::optional<Error> error = WriteGeneration(folder_ / name, files, former, disk_)) {
     RemoveFolder(folder_ / name, disk_);  // half of it would only fill the disk
     return *error;
   }
-  const std::string manifest = SealedText(BodyOf(facts, generation, files));
+  for (const auto& [file, bytes] : files) {
+    (*listed)[file] = {.size = bytes.size(), .checksum = ChecksumOf(bytes)};
+  }
+  const std::string manifest = SealedText(BodyOf(facts, generation, *listed));
   if (std::optional<Error> error = WriteDurably(folder_ / kManifest, manifest, disk_)) {
     return *error;
   }
-  generation_ = generation;
+  last_ = Generation{.number = generation, .files = *std::move(listed)};
   RemoveOtherGenerations(folder_, name, disk_);
   return generation;
 }
@@ -186,22 +269,21 @@ Expected<fs::path> SetSessionAside(const fs::path& folder, FileSystem& disk) {
 Expected<StoredSession> LoadSession(const fs::path& folder) {
   const bool is_inside = !fs::exists(folder / kManifest) && fs::is_directory(folder / "session");
   const fs::path home = is_inside ? folder / "session" : folder;
-  const Expected<json> body = ReadManifest(home / kManifest);
-  if (!body) {
-    return body.error();
+  Expected<Manifest> manifest = ReadManifest(home / kManifest);
+  if (!manifest) {
+    return manifest.error();
   }
-  try {
-    StoredSession session;
-    session.facts = body->at("facts").get<SessionFacts>();
-    session.generation = body->at("generation").get<int>();
-    const fs::path files = home / GenerationName(session.generation);
-    if (std::optional<Error> error = ReadListed(body->at("files"), files, session)) {
-      return *error;
+  StoredSession session{
+      .facts = std::move(manifest->facts), .generation = manifest->generation, .files = {}};
+  const fs::path files = home / GenerationName(session.generation);
+  for (const auto& [name, listed] : manifest->files) {
+    Expected<std::string> bytes = ReadListed(files / name, listed);
+    if (!bytes) {
+      return bytes.error();
     }
-    return session;
-  } catch (const json::exception& problem) {
-    return Damaged(home / kManifest, std::string("lacks an entry: ") + problem.what());
+    session.files[name] = *std::move(bytes);
   }
+  return session;
 }
 
 }  // namespace limpet

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "limpet/core/expected.hpp"
@@ -37,6 +38,13 @@ struct StoredSession {
   SessionFiles files;
 };
 
+/// What the manifest says of each file, by its name.
+struct ListedFile {
+  std::uint64_t size = 0;
+  std::string checksum;
+};
+using ListedFiles = std::map<std::string, ListedFile>;
+
 /// Writes generations of one session, numbered on from those that are there. A crash at any moment
 /// leaves the last complete one.
 class SessionWriter {
@@ -44,13 +52,26 @@ class SessionWriter {
   /// `folder` is created on the first commit.
   explicit SessionWriter(std::filesystem::path folder, FileSystem& disk = RealFileSystem())
       : folder_(std::move(folder)), disk_(disk) {}
-  /// Writes one generation and then forgets the one before; its number, or why it failed.
-  [[nodiscard]] Expected<int> Commit(SessionFacts facts, const SessionFiles& files);
+  /// Writes one generation and then forgets the one before; its number, or why it failed. Files
+  /// named `unchanged` are as in the generation before, which this writer committed or else the
+  /// manifest names: they are not written again but linked, or copied where the disk has no links.
+  /// One that is missing there, or has another size, is an error that names it, and nothing is
+  /// written: the next commit has to bring that file.
+  [[nodiscard]] Expected<int> Commit(SessionFacts facts, const SessionFiles& files,
+                                     const std::set<std::string>& unchanged = {});
 
  private:
+  struct Generation {
+    int number = 0;
+    ListedFiles files;
+  };
+  /// What the last generation's manifest says of the `unchanged` that are not in `files`.
+  [[nodiscard]] Expected<ListedFiles> Kept(const SessionFiles& files,
+                                           const std::set<std::string>& unchanged);
+
   std::filesystem::path folder_;
   FileSystem& disk_;
-  int generation_ = 0;
+  std::optional<Generation> last_;
 };
 
 /// Renames a session's folder to `<folder>-former-1`, or the next number that is free, so that

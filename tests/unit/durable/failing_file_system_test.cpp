@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "limpet/durable/durable_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
 namespace limpet {
 namespace {
 
@@ -16,6 +19,24 @@ TEST(FailingFileSystem, SaysOfItsRoomWhatItIsToldAndNothingBefore) {
   disk.Set(FailingFileSystem::Fault::kNone);
   disk.SetRoom(std::nullopt);
   EXPECT_EQ(disk.Room("/"), std::uint64_t{10} << 30U);
+}
+
+TEST(FailingFileSystem, LinksNothingWhileItFails) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "x", name = folder.path() / "y";
+  ASSERT_FALSE(WriteDurably(file, "content"));
+  FailingFileSystem disk(RealFileSystem());
+  for (const auto fault : {FailingFileSystem::Fault::kFull, FailingFileSystem::Fault::kFailing,
+                           FailingFileSystem::Fault::kReadOnly}) {
+    disk.Set(fault);
+    const std::error_code trouble = disk.Link(file, name);
+    EXPECT_TRUE(trouble);
+    EXPECT_FALSE(IsWithoutLinks(trouble)) << "a copy would fare no better";
+    EXPECT_FALSE(std::filesystem::exists(name));
+  }
+  disk.Set(FailingFileSystem::Fault::kNone);
+  EXPECT_FALSE(disk.Link(file, name));
+  EXPECT_EQ(*ReadWhole(name), "content");
 }
 
 }  // namespace

@@ -85,6 +85,39 @@ TEST_F(TornDiskTest, HasAMovedFileUnderOneOfItsNames) {
   EXPECT_THAT(Left(disk, "new"), Each("content"));
 }
 
+TEST_F(TornDiskTest, HasALinkedFileUnderItsNewNameOnceThatFolderIsSynced) {
+  TornDisk disk(root_);
+  ASSERT_FALSE(disk.CreateFolder(root_ / "new"));
+  ASSERT_FALSE(SyncFolder(root_, disk));
+  ASSERT_FALSE(WriteDurably(root_ / "x", "content", disk));
+  ASSERT_FALSE(disk.Link(root_ / "x", root_ / "new/x"));
+  const std::multiset<std::string> left = Left(disk, "new/x");
+  EXPECT_THAT(left, Contains("none"));
+  EXPECT_THAT(left, Contains("content"));
+  EXPECT_THAT(Left(disk, "x"), Each("content"));
+  ASSERT_FALSE(SyncFolder(root_ / "new", disk));
+  ASSERT_FALSE(disk.Remove(root_ / "x"));
+  EXPECT_THAT(Left(disk, "new/x"), Each("content")) << "whatever becomes of its other name";
+}
+
+TEST_F(TornDiskTest, TearsALinkedFileThatIsNotSyncedUnderBothNamesAlike) {
+  TornDisk disk(root_);
+  const FileSystem::Opened file = Open(disk, root_ / "x");
+  ASSERT_FALSE(file.file->WriteAt(0, "content"));
+  ASSERT_FALSE(disk.Link(root_ / "x", root_ / "y"));
+  ASSERT_FALSE(disk.SyncFolder(root_));
+  bool is_torn = false;
+  for (int cut = 0; cut < 100; ++cut) {
+    disk.Cut(disk.calls(), random_, folder_.path() / "left");
+    const std::string x = *ReadWhole(folder_.path() / "left/x");
+    EXPECT_EQ(*ReadWhole(folder_.path() / "left/y"), x);
+    is_torn = is_torn || x != "content";
+  }
+  EXPECT_TRUE(is_torn);
+  ASSERT_FALSE(file.file->Sync());
+  EXPECT_THAT(Left(disk, "y"), Each("content"));
+}
+
 TEST_F(TornDiskTest, IsReadBackAsItWasWritten) {
   TornDisk disk(root_);
   ASSERT_FALSE(WriteDurably(root_ / "x", "now", disk));
