@@ -25,7 +25,8 @@ constexpr const char* kFramesOfOld =
     "sights.csv";  // the same, as sessions before 2026-11-27 have it
 constexpr const char* kPhases = "phases.csv";
 constexpr const char* kWater = "water.json";
-constexpr const char* kMap = "map.ot";
+constexpr std::string_view kMapTiles = "map/";
+constexpr const char* kMapOfOld = "map.ot";  // all of it, as sessions before the tiles have it
 constexpr const char* kDepths = "depths.csv";
 constexpr std::string_view kMission = "mission/";
 
@@ -52,10 +53,8 @@ FormerFacts FormerFactsOf(const SessionFacts& facts) {
           .saved_at = facts.saved_at};
 }
 
-SessionFiles FilesOf(const SessionMemory& memory) { return FilesOf(memory, memory.map); }
-
-SessionFiles FilesOf(const SessionMemory& memory, std::string map) {
-  SessionFiles files;
+SessionFiles FilesOf(const SessionMemory& memory) {
+  SessionFiles files = memory.map;
   if (memory.area) {
     files[kArea] = EncodeRecord(*memory.area) + "\n";
   }
@@ -79,9 +78,6 @@ SessionFiles FilesOf(const SessionMemory& memory, std::string map) {
   files[kPhases] = PhasesToCsv(memory.phases);
   if (memory.water) {
     files[kWater] = std::get<std::string>(TopicCodec<WaterRecord>::Encode(*memory.water)) + "\n";
-  }
-  if (!map.empty()) {
-    files[kMap] = std::move(map);
   }
   AddChips(memory.chips, files);
   if (!memory.depths.empty()) {
@@ -138,9 +134,6 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     memory.water = TopicCodec<WaterRecord>::Decode(*text);
     if (!memory.water) return Error{std::string(kWater) + ": not a record of the water"};
   }
-  if (const std::string* map = Find(files, kMap)) {
-    memory.map = *map;
-  }
   Expected<std::vector<SavedChip>> chips = ChipsFrom(files);
   if (!chips) return chips.error();
   memory.chips = *std::move(chips);
@@ -148,6 +141,7 @@ Expected<SessionMemory> MemoryOf(const SessionFiles& files) {
     memory.depths = *depths;
   }
   for (const auto& [name, bytes] : files) {
+    if (name.starts_with(kMapTiles) || name == kMapOfOld) memory.map[name] = bytes;
     if (name.starts_with(kMission)) memory.mission[name.substr(kMission.size())] = bytes;
   }
   return memory;

@@ -2,6 +2,7 @@
 // What a session knows, and the files it is kept in.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,12 @@ struct FormerFacts {
 };
 [[nodiscard]] FormerFacts FormerFactsOf(const SessionFacts& facts);
 
+/// The semantic map: file name to bytes as they lie on the disk, each a serialised octree or gzip
+/// of one: "map/0_-1.ot.gz". A session from before the map had tiles has "map.ot" alone.
+using SessionMap = std::map<std::string, std::string>;
+
 /// Files: area.txt, former.txt, objects.json, obstacles.json, known_landmarks.json, landmarks.json,
-/// frames.csv, phases.csv, water.json, map.ot, depths.csv, chips.csv, chips/*, mission/*.
+/// frames.csv, phases.csv, water.json, map/*, depths.csv, chips.csv, chips/*, mission/*.
 struct SessionMemory {
   std::optional<SurveyArea> area;
   std::optional<FormerFacts> former;  ///< nothing in a discovery session, or an older one
@@ -45,7 +50,7 @@ struct SessionMemory {
   std::vector<ObservedFrame> frames;  ///< every frame with its pose and boxes
   std::optional<WaterRecord> water;   ///< nothing in an older session
   std::vector<PhaseStart> phases;     ///< in order; before the first one none was announced
-  std::string map;                    ///< the semantic octree as MAP_SNAPSHOT; empty if none
+  SessionMap map;                     ///< empty if none was heard
   std::vector<SavedChip> chips;       ///< pictures of the objects; none without images
   Obstacles obstacles;                ///< that stood in the way; none in an older session
   std::string depths;                 ///< as MAP_DEPTHS; empty in an older session
@@ -54,8 +59,6 @@ struct SessionMemory {
 
 /// Positions are kept to 0.1 mm, angles to 10 microradians, pixels to 0.01.
 [[nodiscard]] SessionFiles FilesOf(const SessionMemory& memory);
-/// The files of a memory with `map` in place of its map: a large one need not be there twice.
-[[nodiscard]] SessionFiles FilesOf(const SessionMemory& memory, std::string map);
 /// The error names the file whose content is not understood.
 [[nodiscard]] Expected<SessionMemory> MemoryOf(const SessionFiles& files);
 

@@ -43,7 +43,7 @@ SessionMemory Sample() {
       {.u = 320.5, .v = 100, .w = 80, .h = 81, .confidence = 0.9, .color = "yellow", .landmark = 3},
       {.u = 10, .v = 20, .w = 30, .h = 40, .confidence = 0.5, .color = "green"}};
   memory.frames = {frame, Frame(13)};
-  memory.map = std::string("\0ot", 3);
+  memory.map = {{"map/-1_0.ot.gz", std::string("\0gz", 3)}, {"map/0_0.ot.gz", "ground"}};
   memory.water = WaterRecord{.visibility = 3.5,
                              .estimate = {.visibility = 3.1, .sd = 1.4},
                              .contrasts = {{.from = 3.75, .clear = 2, .log_contrast = -4.25}}};
@@ -60,6 +60,25 @@ TEST(SessionMemory, ComesBackFromItsFiles) {
   EXPECT_EQ(loaded->frames[0].boxes[1].color, "green");
   EXPECT_FALSE(loaded->frames[1].altitude);
   EXPECT_EQ(loaded->map, saved.map);
+}
+
+TEST(SessionMemory, KeepsTheTilesOfItsMapAsFilesOfTheirNames) {
+  const SessionMemory saved = Sample();
+  const SessionFiles files = FilesOf(saved);
+  EXPECT_EQ(files.at("map/-1_0.ot.gz"), saved.map.at("map/-1_0.ot.gz"));
+  EXPECT_EQ(files.at("map/0_0.ot.gz"), "ground");
+  EXPECT_FALSE(files.contains("map.ot"));
+}
+
+TEST(SessionMemory, ReadsTheMapOfSessionsThatHaveItInOneFile) {
+  SessionMemory memory = Sample();
+  memory.map.clear();
+  SessionFiles files = FilesOf(memory);
+  files["map.ot"] = std::string("\0ot", 3);
+  const Expected<SessionMemory> loaded = MemoryOf(files);
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->map, (SessionMap{{"map.ot", std::string("\0ot", 3)}}));
+  EXPECT_EQ(FilesOf(*loaded), files);
 }
 
 TEST(SessionMemory, NamesTheFileThatItDoesNotUnderstand) {
