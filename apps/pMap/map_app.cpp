@@ -10,6 +10,7 @@
 #include "estimation/mapping/dvl_beams.hpp"
 #include "estimation/mapping/former_map.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/session/former_map_warning.hpp"
 #include "limpet/survey/grid_frame.hpp"
 #include "limpet/survey/look.hpp"
 #include "limpet/survey/survey_area_warnings.hpp"
@@ -26,6 +27,7 @@ MapApp::MapApp(const AppContext& context, const Params& params)
       map_(params.voxel, params.beams),
       layer_({.threshold = params.object_threshold}, params.status, camera_),
       ground_looks_(params.status.LookFrom(camera_), params.status.looks),
+      map_teller_(map_, ground_looks_),
       obstacle_finder_(params.beams),
       planned_visibility_(params.status.detection.visibility),
       drawing_(context.Global("Community"), [this](std::string variable, std::string text) {
@@ -41,8 +43,9 @@ MapApp::MapApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavTrackShift, &MapApp::OnTrackShift);
   Subscribe(topics::kNavLandmarks, &MapApp::OnLandmarks);
   Subscribe(topics::kSessionPrior, &MapApp::OnPrior);
-  Subscribe(topics::kSessionPriorMap, &MapApp::OnPriorMap);
+  Subscribe(topics::kSessionPriorMap, &MapApp::OnPriorTile);
   Subscribe(topics::kMapSnapshotRequest, &MapApp::OnSnapshotRequest);
+  Subscribe(topics::kMapTilesRequest, &MapApp::OnTilesRequest);
   Subscribe(topics::kMapGridRequest, &MapApp::OnGridRequest);
 }
 
@@ -232,15 +235,11 @@ void MapApp::OnPrior(const Stamped<SessionPrior>& prior) {
   statuses_.SetFormer(prior.value.former.objects);
 }
 
-void MapApp::OnPriorMap(const Stamped<PackedBytes>& prior) {
-  const Expected<SemanticOctree> former = SemanticOctree::Parse(prior.value.bytes);
-  if (!former) {
+void MapApp::OnPriorTile(const Stamped<MapTile>& tile) {
+  if (const std::optional<Error> error = map_.AddFormer(tile.value)) {
     Warn(warnings::kFormerMap,
-         "the former session's voxels are not taken over: it kept " + former.error().text);
-    return;
+         "a tile of the former session's voxels is not taken over: " + error->text);
   }
-  ClearWarning(warnings::kFormerMap);
-  map_.SetFormer(*former);
 }
 
 DetectionModel MapApp::PlannedDetection() const {
@@ -302,6 +301,7 @@ void MapApp::TellWater(Seconds now) {
 
 void MapApp::Tick(Seconds now) {
   TellHowItLooks();
+  if (map_teller_.is_at_it()) TellMap(MapTeller::kPerTick);
   static_cast<void>(map_.beams().Settle());
   static_cast<void>(ground_looks_.Settle(statuses_.frames(), map_));
   if (ground_) {
@@ -376,10 +376,26 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
                       .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
                       .contrasts = statuses_.contrasts().bins()});
   map_.SetFormerOffset(statuses_.offset());
-  const SemanticOctree& octree =
-      map_.Octree([this](const VoxelKey& key) { return ground_looks_.LogOdds(key); });
+  map_teller_.Begin();  // lays what still waits: depths, too
   Publish(topics::kMapDepths, PackedBytes{map_.beams().depths().Serialize()});
-  Publish(topics::kMapSnapshot, PackedBytes{octree.Serialize()});
+  TellMap(MapTeller::kAtOnce);
+}
+
+void MapApp::OnTilesRequest(const Stamped<std::string>&) {
+  map_teller_.BeginAnew();
+  TellMap(MapTeller::kAtOnce);
+}
+
+void MapApp::Finish(Seconds /*now*/) {
+  while (map_teller_.is_at_it())
+    TellMap(MapTeller::kAtOnce);
+}
+
+void MapApp::TellMap(int most) {
+  while (const std::optional<MapTile> tile = map_teller_.Next(most)) {
+    Publish(topics::kMapTile, *tile);
+  }
+  if (!map_teller_.is_at_it()) Publish(topics::kMapTiles, map_teller_.told());
 }
 
 LIMPET_REGISTER_APP(MapApp, "pMap", 4.0);

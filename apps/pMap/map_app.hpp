@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/pMap/map_drawing.hpp"
+#include "apps/pMap/map_teller.hpp"
 #include "apps/pMap/obstacle_notices.hpp"
 #include "estimation/change/frame_gate.hpp"
 #include "estimation/change/object_statuses.hpp"
@@ -33,6 +34,8 @@ class MapApp final : public App {
   MapApp(const AppContext& context, const Params& params);
   void Tick(Seconds now) override;
   void Report(ReportLines& report) const override;
+  /// Who asked for the map hears all of it.
+  void Finish(Seconds now) override;
 
  private:
   void OnArea(const Stamped<SurveyArea>& area);
@@ -49,7 +52,7 @@ class MapApp final : public App {
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnLandmarks(const Stamped<Landmarks>& landmarks);
   void OnPrior(const Stamped<SessionPrior>& prior);
-  void OnPriorMap(const Stamped<PackedBytes>& prior);
+  void OnPriorTile(const Stamped<MapTile>& tile);
   void OnGridRequest(const Stamped<std::string>& cause);
   /// Tells the operator of frames that are left out where frames should count.
   void WarnOfDrop(const std::optional<FrameDrop>& drop);
@@ -60,6 +63,9 @@ class MapApp final : public App {
   /// Beams of one ping that had a range, and those of them that the map took.
   void CountBeams(int given, int used);
   void OnSnapshotRequest(const Stamped<std::string>& request);
+  void OnTilesRequest(const Stamped<std::string>& request);
+  /// Goes on telling the map, as far as `most` tiles go; which those were, once it has been told.
+  void TellMap(int most);
   /// By what looks are planned: the camera, and the water as it was last told.
   void TellHowItLooks();
   [[nodiscard]] DetectionModel PlannedDetection() const;
@@ -85,6 +91,7 @@ class MapApp final : public App {
   SemanticMap map_;
   ObjectLayer layer_;
   GroundLooks ground_looks_;
+  MapTeller map_teller_;
   ObstacleFinder obstacle_finder_;
   ObstacleNotices obstacle_notices_;
   std::vector<VoxelKey> obstacle_voxels_;  ///< as painted

@@ -63,16 +63,6 @@ inline const WarningId kFormerParameters = DeclareWarning(
      .action = "Judge new objects by hand; compare the versions of Limpet of both sessions.",
      .clears = "With a former session whose parameters can be used."});
 
-inline const WarningId kFormerMap = DeclareWarning(
-    "FORMER_MAP",
-    {.severity = Severity::kWarning,
-     .raised_by = {"pMap"},
-     .meaning = "The former session's octree cannot be read: the map of this session knows of the "
-                "ground only what its own beams show.",
-     .action =
-         "Look at it with `limpet map info`; compare the versions of Limpet of both sessions.",
-     .clears = "With a former session whose octree can be read."});
-
 inline const WarningId kTentativeObjectsLeftOut = DeclareWarning(
     "TENTATIVE_OBJECTS_LEFT_OUT",
     {.severity = Severity::kWarning,

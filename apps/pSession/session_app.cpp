@@ -9,12 +9,14 @@
 
 #include "apps/pSession/session_warnings.hpp"
 #include "estimation/mapping/map_export.hpp"
+#include "estimation/mapping/saved_map.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/durable/durable_file.hpp"
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/session/cut_session.hpp"
 #include "limpet/session/datum.hpp"
+#include "limpet/session/former_map_warning.hpp"
 #include "limpet/session/saved_session.hpp"
 
 namespace limpet {
@@ -25,13 +27,32 @@ namespace fs = std::filesystem;
 constexpr const char* kPeriodic = "periodic";
 constexpr const char* kSessionFolder = "session";
 
-/// The map for other programs; not worth its time on every periodic save.
-void AddExports(const std::string& map, SessionFiles& files) {
-  const Expected<OccupiedMap> occupied = OccupiedOfStream(map);
-  if (!occupied) return;  // no map yet
-  files["export/map_color.ot"] = ToColorOctree(*occupied);
-  files["export/map.ply"] = ToPly(*occupied);
-  files["export/map.csv"] = ToCsv(*occupied);
+/// Packed; a larger map would take hundreds of megabytes on its way to be text.
+constexpr std::size_t kLargestExported = std::size_t{4} << 20U;
+/// Tiles of a former session that are handed over in a tick.
+constexpr std::size_t kTilesPerTick = 64;
+
+std::size_t BytesOf(const SessionFiles& files) {
+  std::size_t sum = 0;
+  for (const auto& [name, bytes] : files) {
+    sum += bytes.size();
+  }
+  return sum;
+}
+
+/// Of a former session's map; one that was saved as a whole is cut up.
+Expected<std::vector<MapTile>> TilesOfMap(const SessionMap& map) {
+  std::vector<MapTile> tiles;
+  for (const auto& [file, bytes] : map) {
+    if (const std::optional<TileKey> key = TileOfFile(file)) {
+      tiles.push_back({.key = *key, .packed = bytes});
+      continue;
+    }
+    Expected<std::vector<MapTile>> parts = TilesOf(bytes);
+    if (!parts) return Error{file + ": " + parts.error().text};
+    tiles.insert(tiles.end(), parts->begin(), parts->end());
+  }
+  return tiles;
 }
 
 /// A behavior file as the helm reads it; as it is if its plugs are wrong, which the helm says.
@@ -61,7 +82,8 @@ SessionApp::SessionApp(const AppContext& context, const Params& params)
   Subscribe(topics::kNavTrackShift, &SessionApp::OnTrackShift);
   Subscribe(topics::kWaterRecord, &SessionApp::OnWater);
   Subscribe(topics::kMapDepths, &SessionApp::OnDepths);
-  SubscribeRaw(topics::kMapSnapshot.name, [this](const MessagePtr& map) { OnSnapshot(map); });
+  Subscribe(topics::kMapTile, &SessionApp::OnTile);
+  Subscribe(topics::kMapTiles, &SessionApp::OnTiles);
   Subscribe(topics::kSessionSave, &SessionApp::OnSave);
   if (!context.ends_cut_life) CopyMission();
   if (!context.run_folder.empty()) {
@@ -93,7 +115,7 @@ void SessionApp::GoOnFromSaved() {
   const std::optional<FormerFacts> former = memory_.former;
   memory_ = *saved;
   memory_.former = former;
-  map_size_ = memory_.map.size();
+  tiles_.GoOnFrom(std::exchange(memory_.map, {}));
   is_folder_ours_ = true;
   ReportEvent(events::kSessionResumed,
               fmt::format("goes on from saved generation {}", stored->generation));
@@ -137,7 +159,13 @@ void SessionApp::LoadFormer() {
   RequireOneDatum(former.facts, FactsNow(), context().prior_folder);
   if (const auto note = CutNote(context().prior_folder)) Warn(warnings::kFormerSessionCut, *note);
   prior_ = PriorWithParameters(former);
-  prior_map_ = former.memory.map;
+  Expected<std::vector<MapTile>> tiles = TilesOfMap(former.memory.map);
+  if (tiles) {
+    prior_tiles_ = *std::move(tiles);
+  } else {
+    Warn(warnings::kFormerMap,
+         "the former session's voxels are not taken over: " + tiles.error().text);
+  }
   memory_.former = FormerFactsOf(former.facts);
   former_ = Former{prior_->session, prior_->former.objects.size(), prior_->views.size()};
 }
@@ -192,6 +220,7 @@ void SessionApp::OnSave(const Stamped<std::string>& cause) { StartSaving(cause.v
 
 void SessionApp::StartSaving(const std::string& cause, Seconds now) {
   pending_ = Pending{cause, now};
+  has_asked_for_all_ = false;
   Publish(topics::kMapSnapshotRequest, cause);
 }
 
@@ -199,40 +228,40 @@ void SessionApp::OnDepths(const Stamped<PackedBytes>& depths) {
   memory_.depths = depths.value.bytes;
 }
 
-// A large survey's map is tens of megabytes: it is kept as it was sent, an eighth of that, and
-// unpacked once, into the file.
-void SessionApp::OnSnapshot(const MessagePtr& map) {
-  if (!HasUsableStamp(map->name, map->time, map->source)) return;
-  std::optional<PackedBytes> bytes = TopicCodec<PackedBytes>::Decode(map->value);
-  if (!bytes) {
-    Warn(warnings::kBadMail.Of(map->name), "does not decode; sent by " + map->source);
-    return;
-  }
-  ClearWarning(warnings::kBadMail, map->name);
-  ClearWarning(warnings::kMapSilent);
-  memory_.map.clear();
-  map_ = map;
-  map_size_ = bytes->bytes.size();
-  if (pending_) {
-    Commit(pending_->cause, map->time, std::move(bytes->bytes));
-  }
+void SessionApp::OnTile(const Stamped<MapTile>& tile) {
+  tiles_.Put(tile.value);
+  if (pending_) pending_->since = tile.time;
 }
 
-std::string SessionApp::LastMap() const {
-  if (map_ == nullptr) return memory_.map;
-  std::optional<PackedBytes> bytes = TopicCodec<PackedBytes>::Decode(map_->value);
-  return bytes ? std::move(bytes->bytes) : std::string();
+void SessionApp::OnTiles(const Stamped<MapTileList>& tiles) {
+  tiles_.EndRetelling();
+  if (tiles.value != tiles_.List()) {
+    AskForAllTiles(
+        fmt::format("{} of {} tiles, or others", tiles_.List().tiles, tiles.value.tiles));
+    return;
+  }
+  ClearWarning(warnings::kMapSilent);
+  if (pending_) Commit(pending_->cause, tiles.time);
+}
+
+// Once for each save: a pMap that tells what does not fit its own list would be asked for ever.
+void SessionApp::AskForAllTiles(const std::string& why) {
+  if (has_asked_for_all_) return;
+  has_asked_for_all_ = true;
+  tiles_.BeginRetelling();
+  Publish(topics::kMapTilesRequest, why);
+}
+
+void SessionApp::HandOverFormer() {
+  if (prior_) Publish(topics::kSessionPrior, *std::exchange(prior_, std::nullopt));
+  for (std::size_t i = 0; i < kTilesPerTick && !prior_tiles_.empty(); ++i) {
+    Publish(topics::kSessionPriorMap, prior_tiles_.back());
+    prior_tiles_.pop_back();
+  }
 }
 
 void SessionApp::Tick(Seconds now) {
-  if (prior_) {
-    Publish(topics::kSessionPrior, *prior_);
-    prior_.reset();
-    if (!prior_map_.empty()) {
-      Publish(topics::kSessionPriorMap, PackedBytes{prior_map_});
-      prior_map_.clear();
-    }
-  }
+  HandOverFormer();
   if (!DiskIsIdle(now)) {
     return;
   }
@@ -240,20 +269,20 @@ void SessionApp::Tick(Seconds now) {
   if (put_off_) {
     StartSaving(*std::exchange(put_off_, std::nullopt), now);
   } else if (!last_save_) {
-    Commit("start", now, LastMap());  // self-describing from its first second
+    Commit("start", now);  // self-describing from its first second
   } else if (pending_ && now - pending_->since > params_.map_within) {
-    Warn(warnings::kMapSilent, "no MAP_SNAPSHOT: saved with the last map known");
-    Commit(pending_->cause, now, LastMap());
+    Warn(warnings::kMapSilent, "no MAP_TILES: saved with the last map known");
+    Commit(pending_->cause, now);
   } else if (!pending_ && now - *last_save_ >= SaveEvery()) {
     StartSaving(kPeriodic, now);
   }
 }
 
-// A map is written as a whole: at a fixed pace, what a long survey writes would grow with the
-// square of its time, and fill disk and log.
+// Frames and depths are written as a whole: at a fixed pace, what a long survey writes would grow
+// with the square of its time.
 Seconds SessionApp::SaveEvery() const {
-  constexpr double kMapBytesPerSecond = 128e3;
-  return std::max(params_.save_every, Seconds(static_cast<double>(map_size_) / kMapBytesPerSecond));
+  constexpr double kBytesPerSecond = 128e3;
+  return std::max(params_.save_every, Seconds(static_cast<double>(written_) / kBytesPerSecond));
 }
 
 bool SessionApp::DiskIsIdle(Seconds now) {
@@ -269,9 +298,9 @@ void SessionApp::Finish(Seconds now) {
   jobs_.Wait();
   TellSaved();
   if (context().ends_cut_life) {
-    Commit("recovered", now, LastMap());
+    Commit("recovered", now);
   } else if (!last_save_ || pending_ || now > *last_save_) {
-    Commit(pending_ ? pending_->cause : "end", now, LastMap());
+    Commit(pending_ ? pending_->cause : "end", now);
   }
   jobs_.Wait();
   TellSaved();
@@ -290,7 +319,26 @@ SessionFacts SessionApp::FactsNow() const {
           .cause = ""};
 }
 
-void SessionApp::Commit(std::string cause, Seconds now, std::string map) {
+void SessionApp::AddExports(const SessionTiles::Files& tiles, SessionFiles& files) {
+  if (tiles_.packed_bytes() > kLargestExported) {
+    ReportEvent(events::kExportsLeftOut,
+                "the map is large: `limpet map export` makes the files for other programs");
+    return;
+  }
+  SessionMap map = tiles.to_write;
+  for (const std::string& file : tiles.unchanged) {
+    const Expected<std::string> bytes = writer_->ReadLast(file);
+    if (!bytes) return Warn(warnings::kSessionNotSaved, bytes.error().text);
+    map[file] = *bytes;
+  }
+  const Expected<OccupiedMap> occupied = OccupiedOf(map);
+  if (!occupied || map.empty()) return;  // no map yet
+  files["export/map_color.ot"] = ToColorOctree(*occupied);
+  files["export/map.ply"] = ToPly(*occupied);
+  files["export/map.csv"] = ToCsv(*occupied);
+}
+
+void SessionApp::Commit(std::string cause, Seconds now) {
   pending_.reset();
   if (!jobs_.is_idle()) {
     put_off_ = std::move(cause);
@@ -306,12 +354,15 @@ void SessionApp::Commit(std::string cause, Seconds now, std::string map) {
   facts.cause = cause;
   memory_.chips = ChipsOf(memory_.objects, chips_, memory_.chips);
   SessionFiles files;
+  SessionTiles::Files tiles = tiles_.FilesNow();
   if (cause != kPeriodic) {
-    AddExports(map, files);
+    AddExports(tiles, files);
   }
-  files.merge(FilesOf(memory_, std::move(map)));
-  jobs_.Put([this, facts = std::move(facts), files = std::move(files)] {
-    saved_ = Saved{facts.cause, writer_->Commit(facts, files)};
+  files.merge(FilesOf(memory_));
+  files.merge(tiles.to_write);
+  written_ = BytesOf(files);
+  jobs_.Put([this, facts = std::move(facts), files = std::move(files), tiles = std::move(tiles)] {
+    saved_ = Saved{facts.cause, tiles.versions, writer_->Commit(facts, files, tiles.unchanged)};
   });
   if (jobs_.is_idle()) {
     TellSaved();
@@ -325,9 +376,12 @@ void SessionApp::TellSaved() {
   const Saved saved = *std::exchange(saved_, std::nullopt);
   if (!saved.generation) {
     Warn(warnings::kSessionNotSaved, saved.generation.error().text);
+    // What was on the disk alone may not be there any more.
+    if (tiles_.has_saved()) AskForAllTiles("the session could not be saved");
     return;
   }
   ClearWarning(warnings::kSessionNotSaved);
+  tiles_.OnSaved(saved.tiles);
   generation_ = *saved.generation;
   last_cause_ = saved.cause;
   ReportEvent(events::kSessionSaved,

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "apps/pSession/session_tiles.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/durable/disk_jobs.hpp"
@@ -25,9 +29,10 @@ class SessionApp final : public App {
     void Describe(V& visit) {
       using namespace literals;
       visit("save_every_s", save_every,
-            "Time between two saved generations; more where the map is large: 1 s per 128 kB",
+            "Time between two saved generations; more where much is to be written: 1 s per 128 kB",
             InRange(1.0_s, 3600.0_s));
-      visit("map_within_s", map_within, "Wait this long for the map, then save without a new one",
+      visit("map_within_s", map_within,
+            "Wait this long for the map, or its next tile, then save without a new one",
             InRange(0.1_s, 60.0_s));
     }
   };
@@ -51,7 +56,8 @@ class SessionApp final : public App {
   void OnTrackShift(const Stamped<TrackShift>& shift);
   void OnWater(const Stamped<WaterRecord>& water) { memory_.water = water.value; }
   void OnDepths(const Stamped<PackedBytes>& depths);
-  void OnSnapshot(const MessagePtr& map);
+  void OnTile(const Stamped<MapTile>& tile);
+  void OnTiles(const Stamped<MapTileList>& tiles);
   void OnSave(const Stamped<std::string>& cause);
   void LoadFormer();
   void CopyMission();
@@ -66,17 +72,19 @@ class SessionApp final : public App {
   void StartSaving(const std::string& cause, Seconds now);
   /// By value: the pending cause dies with the saving that this ends. Put off while the disk is
   /// still at the one before.
-  void Commit(std::string cause, Seconds now, std::string map);
-  /// As pMap said it last, or as a former life left it.
-  [[nodiscard]] std::string LastMap() const;
+  void Commit(std::string cause, Seconds now);
+  /// The map for other programs; not worth its time on every periodic save.
+  void AddExports(const SessionTiles::Files& tiles, SessionFiles& files);
   void TellSaved();
+  void AskForAllTiles(const std::string& why);
+  void HandOverFormer();
   [[nodiscard]] Seconds SaveEvery() const;
   /// False while the disk is at work; warns if that takes long.
   [[nodiscard]] bool DiskIsIdle(Seconds now);
 
   struct Pending {
     std::string cause;
-    Seconds since;
+    Seconds since;  ///< it was asked for, or a part of the map has come
   };
   Params params_;
   SessionMemory memory_;
@@ -84,10 +92,11 @@ class SessionApp final : public App {
   BestChips chips_;      ///< of all landmarks; those of the objects go into memory_
   std::optional<SessionWriter> writer_;
   std::optional<SessionPrior> prior_;
-  MessagePtr map_;                  ///< newest MAP_SNAPSHOT, packed; until then memory_ has one
-  std::size_t map_size_ = 0;        ///< of it, unpacked [bytes]
-  std::string prior_map_;           ///< the former session's octree; empty if it kept none
-  std::optional<Pending> pending_;  ///< waits for the map
+  SessionTiles tiles_;
+  bool has_asked_for_all_ = false;    ///< of the tiles, since the map was last asked for
+  std::size_t written_ = 0;           ///< with the last generation [bytes]
+  std::vector<MapTile> prior_tiles_;  ///< of the former session's octree; not handed over yet
+  std::optional<Pending> pending_;    ///< waits for the map
   std::optional<Seconds> last_save_;
   struct Former {
     std::string session;
@@ -101,6 +110,7 @@ class SessionApp final : public App {
   std::string last_cause_;
   struct Saved {
     std::string cause;
+    std::map<TileKey, std::uint64_t> tiles;
     Expected<int> generation;
   };
   std::optional<Saved> saved_;          ///< not told yet; the job's while it runs

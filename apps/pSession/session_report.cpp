@@ -20,8 +20,9 @@ void SessionApp::Report(ReportLines& report) const {
                                      (now() - *last_save_).value(), last_cause_));
   }
   report.Pair("Holds",
-              fmt::format("{} objects, {} frames, map of {:.0f} KiB", memory_.objects.opis.size(),
-                          memory_.frames.size(), static_cast<double>(map_size_) / 1024.0));
+              fmt::format("{} objects, {} frames, map of {} tiles, {:.0f} KiB packed",
+                          memory_.objects.opis.size(), memory_.frames.size(), tiles_.List().tiles,
+                          static_cast<double>(tiles_.packed_bytes()) / 1024.0));
   if (pending_) {
     report.Pair("Waiting", "for the map, to save: " + pending_->cause);
   }

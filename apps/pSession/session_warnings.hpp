@@ -55,10 +55,10 @@ inline const WarningId kSessionNotSaved = DeclareWarning(
 inline const WarningId kMapSilent =
     DeclareWarning("MAP_SILENT", {.severity = Severity::kWarning,
                                   .raised_by = {"pSession"},
-                                  .meaning = "pMap has not answered with MAP_SNAPSHOT in time: the "
+                                  .meaning = "pMap has not answered with MAP_TILES in time: the "
                                              "session is saved with the last map known.",
                                   .action = "See whether pMap runs and keeps up.",
-                                  .clears = "With the next MAP_SNAPSHOT."});
+                                  .clears = "With the next MAP_TILES."});
 
 }  // namespace limpet::warnings
 
@@ -76,5 +76,12 @@ inline const EventId kSessionSaved = DeclareEvent(
     {.severity = Severity::kNote,
      .reported_by = {"pSession"},
      .meaning = "A generation of the session has been saved; with its number and cause."});
+
+inline const EventId kExportsLeftOut = DeclareEvent(
+    "EXPORTS_LEFT_OUT",
+    {.severity = Severity::kNote,
+     .reported_by = {"pSession"},
+     .meaning = "The map is too large to be written for other programs on board: the session is "
+                "saved without `export/`."});
 
 }  // namespace limpet::events

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/mapping/beam_walk.hpp"
-
 namespace limpet {
 namespace {
 
-constexpr int kLowBits = 16;
+TileKey TileAt(const VoxelIndex& at) {
+  return {.north = at[0] >> kTileBits, .east = at[1] >> kTileBits};
+}
 
-/// Counts by `delta`, one or its negative; returns what the two bytes could not hold of it.
-std::uint32_t CountLow(std::uint16_t& low, std::uint32_t delta) {
-  const std::uint16_t before = low;
-  low = static_cast<std::uint16_t>(before + delta);
-  const bool is_up = delta == 1;
-  const bool has_wrapped = is_up ? low < before : low > before;
-  return has_wrapped ? delta : 0;
+/// Steps a walk through a tile without counting. True if it has arrived there.
+bool PassBy(const TileKey& tile, BeamWalk& walk) {
+  while (TileAt(walk.at()) == tile) {
+    if (walk.HasArrived()) return true;
+    walk.Step();
+  }
+  return false;
 }
 
 }  // namespace
@@ -29,118 +29,121 @@ float OccupiedLogOdds(const VoxelCounts& counts, float before) {
       static_cast<double>(before) + kHit * counts.hits + kMiss * counts.misses, kLeast, kMost));
 }
 
+std::size_t BeamEvidence::TileHash::operator()(const TileKey& key) const {
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;
+  const std::uint64_t both = std::uint64_t{static_cast<std::uint32_t>(key.north)} << 32U |
+                             static_cast<std::uint32_t>(key.east);
+  return static_cast<std::size_t>((both * kSpread) ^ (both * kSpread >> 31U));
+}
+
 bool BeamEvidence::Holds(const Eigen::Vector3d& p_W) const {
   constexpr double kMostVoxels = 32767.0;
   return (p_W.array().abs() < kMostVoxels * resolution_).all();  // false for what is no number
 }
 
-std::size_t BeamEvidence::BrickHash::operator()(const BrickKey& key) const {
-  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t hash = 0;
-  for (const std::int32_t index : key) {
-    hash = (hash ^ static_cast<std::uint32_t>(index)) * kSpread;
-    hash ^= hash >> 29U;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
-BeamEvidence::Brick& BeamEvidence::ChangedBrick(const BrickKey& key) {
-  Brick& brick = bricks_[key];
-  if (!brick.is_changed) {
-    brick.is_changed = true;
-    changed_.push_back(key);
-  }
-  return brick;
+bool BeamEvidence::CountIn(EvidenceTile& held, BeamWalk& walk, std::uint32_t delta) {
+  const std::size_t before = held.bytes();
+  const bool has_arrived = held.Count(walk, delta);
+  held_bytes_ += held.bytes() - before;
+  return has_arrived;
 }
 
 void BeamEvidence::Count(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W,
                          std::uint32_t delta) {
-  constexpr std::int32_t kInside = kEdge - 1;
-  BeamWalk walk(origin_W / resolution_, end_W / resolution_);
-  const auto brick_of = [](const VoxelIndex& at) {
-    return BrickKey{at[0] >> kBits, at[1] >> kBits, at[2] >> kBits};
-  };
-  BrickKey key = brick_of(walk.at());
-  Brick* brick = &ChangedBrick(key);
-  while (true) {
-    const VoxelIndex& at = walk.at();
-    if (const BrickKey here = brick_of(at); here != key) {
-      key = here;
-      brick = &ChangedBrick(key);
+  BeamWalk walk = WalkOf(origin_W, end_W);
+  bool has_arrived = false;
+  while (!has_arrived) {
+    const TileKey key = TileAt(walk.at());
+    Tile* tile = Find(key);
+    if (tile == nullptr) {
+      tile = (tiles_[key] = std::make_unique<Tile>()).get();
+      tile->held = std::make_unique<EvidenceTile>(key);
     }
-    const auto voxel = static_cast<std::size_t>((at[0] & kInside) | (at[1] & kInside) << kBits |
-                                                (at[2] & kInside) << (2 * kBits));
-    LowCounts& counts = brick->voxels[voxel];
-    const bool is_end = walk.HasArrived();
-    const std::uint32_t carried = CountLow(is_end ? counts.hits : counts.misses, delta);
-    if (carried != 0) {
-      Carry(key, *brick, voxel,
-            is_end ? VoxelCounts{.hits = carried} : VoxelCounts{.misses = carried});
+    tile->is_changed = true;
+    if (tile->held == nullptr) {
+      has_arrived = PassBy(key, walk);
+    } else {
+      tile->used = ++uses_;
+      has_arrived = CountIn(*tile->held, walk, delta);
     }
-    if (is_end) return;
-    walk.Step();
   }
 }
 
-void BeamEvidence::Carry(const BrickKey& key, Brick& brick, std::size_t voxel,
-                         const VoxelCounts& carried) {
-  brick.has_carries = true;
-  VoxelCounts& carry = carries_[key][voxel];
-  carry.hits += carried.hits;
-  carry.misses += carried.misses;
+void BeamEvidence::DropUnused() {
+  while (held_bytes_ > most_held_) {
+    Tile* oldest = nullptr;
+    for (const auto& [key, tile] : tiles_) {
+      const bool is_droppable = tile->held != nullptr && tile->used != uses_;
+      if (is_droppable && (oldest == nullptr || tile->used < oldest->used)) oldest = tile.get();
+    }
+    if (oldest == nullptr) return;
+    held_bytes_ -= oldest->held->bytes();
+    oldest->held.reset();
+  }
 }
 
-VoxelCounts BeamEvidence::CountsOf(const BrickKey& key, const Brick& brick,
-                                   std::size_t voxel) const {
-  const LowCounts& low = brick.voxels[voxel];
-  VoxelCounts counts{.hits = low.hits, .misses = low.misses};
-  if (!brick.has_carries) return counts;
-  const auto& carries = carries_.at(key);
-  if (const auto carry = carries.find(voxel); carry != carries.end()) {
-    counts.hits += carry->second.hits << kLowBits;
-    counts.misses += carry->second.misses << kLowBits;
+void BeamEvidence::Hold(const TileKey& tile, const std::function<void(const BeamVisitor&)>& beams) {
+  auto held = std::make_unique<EvidenceTile>(tile);
+  beams([&](const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W) {
+    BeamWalk walk = WalkOf(origin_W, end_W);
+    bool has_arrived = false;
+    while (!has_arrived) {
+      const TileKey here = TileAt(walk.at());
+      has_arrived = here == tile ? CountIn(*held, walk, 1) : PassBy(here, walk);
+    }
+  });
+  Tile* kept = Find(tile);
+  if (kept == nullptr) kept = (tiles_[tile] = std::make_unique<Tile>()).get();
+  if (kept->held != nullptr) held_bytes_ -= kept->held->bytes();
+  kept->held = std::move(held);
+  kept->used = ++uses_;
+  DropUnused();
+}
+
+BeamEvidence::Tile* BeamEvidence::Find(const TileKey& tile) const {
+  if (recent_ == nullptr || recent_key_ != tile) {
+    const auto found = tiles_.find(tile);
+    if (found == tiles_.end()) return nullptr;
+    recent_ = found->second.get();
+    recent_key_ = tile;
   }
-  return counts;
+  return recent_;
+}
+
+const EvidenceTile* BeamEvidence::Use(const TileKey& tile) const {
+  Tile* found = Find(tile);
+  if (found == nullptr || found->held == nullptr) return nullptr;
+  found->used = ++uses_;
+  return found->held.get();
 }
 
 VoxelCounts BeamEvidence::At(const VoxelKey& key) const {
-  const auto part = [&key](std::size_t axis) { return static_cast<std::int32_t>(key[axis]); };
-  const auto found = bricks_.find({part(0) >> kBits, part(1) >> kBits, part(2) >> kBits});
-  if (found == bricks_.end()) return {};
-  constexpr std::int32_t kInside = kEdge - 1;
-  return CountsOf(found->first, found->second,
-                  static_cast<std::size_t>((part(0) & kInside) | (part(1) & kInside) << kBits |
-                                           (part(2) & kInside) << (2 * kBits)));
+  const EvidenceTile* tile = Use(TileOf(key));
+  return tile == nullptr ? VoxelCounts{} : tile->At(key);
 }
 
-void BeamEvidence::Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) const {
-  constexpr std::size_t kEdgeVoxels = kEdge;
-  for (std::size_t voxel = 0; voxel < brick.voxels.size(); ++voxel) {
-    const std::array<std::size_t, 3> in{voxel % kEdgeVoxels, voxel / kEdgeVoxels % kEdgeVoxels,
-                                        voxel / kEdgeVoxels / kEdgeVoxels};
-    VoxelKey at{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      at[axis] = std::int64_t{key[axis]} * kEdge + static_cast<std::int64_t>(in[axis]);
-    }
-    visit(at, CountsOf(key, brick, voxel));
-  }
+void BeamEvidence::ForEachKnown(const TileKey& tile, const VoxelVisitor& visit) const {
+  if (const EvidenceTile* held = Use(tile)) held->ForEachKnown(visit);
 }
 
-void BeamEvidence::TakeChanged(const VoxelVisitor& visit) {
-  for (const BrickKey& key : changed_) {
-    Brick& brick = bricks_[key];
-    brick.is_changed = false;
-    Visit(key, brick, visit);
+std::vector<TileKey> BeamEvidence::Tiles() const {
+  std::vector<TileKey> keys;
+  keys.reserve(tiles_.size());
+  for (const auto& [key, tile] : tiles_) {
+    keys.push_back(key);
   }
-  changed_.clear();
+  std::ranges::sort(keys);
+  return keys;
 }
 
-void BeamEvidence::ForEachKnown(const VoxelVisitor& visit) const {
-  for (const auto& [key, brick] : bricks_) {
-    Visit(key, brick, [&visit](const VoxelKey& at, const VoxelCounts& counts) {
-      if (counts.is_known()) visit(at, counts);
-    });
+std::vector<TileKey> BeamEvidence::TakeChanged() {
+  std::vector<TileKey> changed;
+  for (const auto& [key, tile] : tiles_) {
+    if (tile->is_changed) changed.push_back(key);
+    tile->is_changed = false;
   }
+  std::ranges::sort(changed);
+  return changed;
 }
 
 }  // namespace limpet

@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "estimation/mapping/voxel_cluster.hpp"
+#include "estimation/mapping/evidence_tile.hpp"
 
 namespace limpet {
-
-/// How many beams ended in a voxel, and how many went through it.
-struct VoxelCounts {
-  std::uint32_t hits = 0;
-  std::uint32_t misses = 0;
-  [[nodiscard]] bool is_known() const { return hits != 0 || misses != 0; }
-  bool operator==(const VoxelCounts&) const = default;
-};
 
 /// Log-odds of being occupied: OctoMap's sensor model (0.7 for a hit, 0.4 for a miss) and its
 /// bounds, [0.12, 0.97] in probability, applied to the sums. [Hornung 2013] clamps after each beam
@@ -29,15 +20,23 @@ struct VoxelCounts {
 /// `before` is what was known of the voxel without these beams.
 [[nodiscard]] float OccupiedLogOdds(const VoxelCounts& counts, float before = 0.0F);
 
-/// What sonar beams say of space, as counts in bricks of 4 x 4 x 4 voxels: beams of a vehicle under
-/// way fill sheets, of which large bricks would hold little. Counts are sums, so a beam can be
-/// taken back exactly, in any order, and laid elsewhere.
+/// What sonar beams say of space, as counts. Counts are sums, so a beam can be taken back exactly,
+/// in any order, and laid elsewhere.
+///
+/// Memory. Of the tiles those used last are held, as many as fit; what the others held is dropped,
+/// since the beams themselves say it again: who keeps them lays them again (Hold) where a dropped
+/// tile is asked for. Beams that are counted meanwhile pass a dropped tile by.
 class BeamEvidence {
  public:
-  using VoxelVisitor = std::function<void(const VoxelKey&, const VoxelCounts&)>;
+  using VoxelVisitor = EvidenceTile::VoxelVisitor;
+  using BeamVisitor =
+      std::function<void(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W)>;
+  /// What the tiles that are held may take together [bytes].
+  static constexpr std::size_t kMostHeld = std::size_t{64} << 20U;
 
   /// `resolution` is a voxel's edge [m].
-  explicit BeamEvidence(double resolution) : resolution_(resolution) {}
+  explicit BeamEvidence(double resolution, std::size_t most_held = kMostHeld)
+      : resolution_(resolution), most_held_(most_held) {}
 
   /// Whether the point is near enough to the origin: 32 768 voxels along each axis, as in OctoMap.
   [[nodiscard]] bool Holds(const Eigen::Vector3d& p_W) const;
@@ -51,46 +50,60 @@ class BeamEvidence {
     Count(origin_W, end_W, static_cast<std::uint32_t>(-1));
   }
 
-  /// Zeros where no beam has been.
+  /// Drops what has not been used for longest until the rest fits; what was used last stays.
+  void DropUnused();
+  /// Whether beams have been in the tile and what they say of it has been dropped.
+  [[nodiscard]] bool IsDropped(const TileKey& tile) const {
+    const Tile* found = Find(tile);
+    return found != nullptr && found->held == nullptr;
+  }
+  /// Makes a dropped tile anew: `beams` shows it all beams that may have been in it.
+  void Hold(const TileKey& tile, const std::function<void(const BeamVisitor&)>& beams);
+
+  /// Zeros where no beam has been. REQUIRES: of a tile that is not dropped.
   [[nodiscard]] VoxelCounts At(const VoxelKey& key) const;
-  /// All voxels of the bricks that changed since the last call, also those that no beam is left in.
-  void TakeChanged(const VoxelVisitor& visit);
-  /// All voxels that beams have been in.
-  void ForEachKnown(const VoxelVisitor& visit) const;
+  /// All voxels of a tile that beams have been in. REQUIRES: it is not dropped.
+  void ForEachKnown(const TileKey& tile, const VoxelVisitor& visit) const;
+  /// Those that beams have been in, by key.
+  [[nodiscard]] std::vector<TileKey> Tiles() const;
+  /// Those that beams have been laid in or taken back from since the last call, by key.
+  [[nodiscard]] std::vector<TileKey> TakeChanged();
   [[nodiscard]] double resolution() const { return resolution_; }
-  /// Of the bricks themselves.
-  [[nodiscard]] std::size_t bytes() const { return bricks_.size() * sizeof(Brick); }
+  /// Of the tiles that are held.
+  [[nodiscard]] std::size_t bytes() const { return held_bytes_; }
 
  private:
-  static constexpr int kBits = 2;  ///< of a voxel's index in its brick, per axis
-  static constexpr int kEdge = 1 << kBits;
-  using BrickKey = std::array<std::int32_t, 3>;
-  struct BrickHash {
-    std::size_t operator()(const BrickKey& key) const;
+  struct TileHash {
+    std::size_t operator()(const TileKey& key) const;
   };
-  /// What two bytes hold of a voxel's counts. A voxel beside a vehicle that waits has more.
-  struct LowCounts {
-    std::uint16_t hits = 0, misses = 0;
-  };
-  struct Brick {
-    std::array<LowCounts, std::size_t{kEdge} * kEdge * kEdge> voxels{};
+  struct Tile {
+    std::unique_ptr<EvidenceTile> held;  ///< nothing: dropped
+    std::uint64_t used = 0;              ///< the greater the later
     bool is_changed = false;
-    bool has_carries = false;  ///< now or formerly
   };
 
   /// `delta` is one, or its negative modulo 2^32.
   void Count(const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W, std::uint32_t delta);
-  Brick& ChangedBrick(const BrickKey& key);
-  void Carry(const BrickKey& key, Brick& brick, std::size_t voxel, const VoxelCounts& carried);
-  [[nodiscard]] VoxelCounts CountsOf(const BrickKey& key, const Brick& brick,
-                                     std::size_t voxel) const;
-  void Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) const;
+  [[nodiscard]] BeamWalk WalkOf(const Eigen::Vector3d& origin_W,
+                                const Eigen::Vector3d& end_W) const {
+    return {origin_W / resolution_, end_W / resolution_};
+  }
+
+  /// Nothing where no beam has been. Beams and rays go from voxel to voxel: mostly it is the tile
+  /// that was wanted before.
+  [[nodiscard]] Tile* Find(const TileKey& tile) const;
+  /// The tile, as one that is in use; nothing where no beam has been, or if it is dropped.
+  [[nodiscard]] const EvidenceTile* Use(const TileKey& tile) const;
+  /// Counts on in `held` and minds what that takes.
+  bool CountIn(EvidenceTile& held, BeamWalk& walk, std::uint32_t delta);
 
   double resolution_;
-  std::unordered_map<BrickKey, Brick, BrickHash> bricks_;
-  /// Of voxels by their number in the brick: times 65 536 to what the brick holds of them.
-  std::unordered_map<BrickKey, std::map<std::size_t, VoxelCounts>, BrickHash> carries_;
-  std::vector<BrickKey> changed_;
+  std::size_t most_held_;
+  std::size_t held_bytes_ = 0;
+  std::unordered_map<TileKey, std::unique_ptr<Tile>, TileHash> tiles_;
+  mutable std::uint64_t uses_ = 0;
+  mutable TileKey recent_key_;
+  mutable Tile* recent_ = nullptr;
 };
 
 }  // namespace limpet

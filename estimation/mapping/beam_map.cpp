@@ -23,10 +23,10 @@ double StaysUntil(const TrackShift& shift) {
 
 }  // namespace
 
-BeamMap::BeamMap(Meters resolution, const DvlBeams& dvl)
+BeamMap::BeamMap(Meters resolution, const DvlBeams& dvl, std::size_t most_held)
     : directions_(BeamDirections(dvl)),
       reach_(std::sin(dvl.from_vertical.value())),
-      evidence_(resolution.value()),
+      evidence_(resolution.value(), most_held),
       depths_(resolution.value()) {}
 
 int BeamMap::Add(double t, const PosedBeams& ping, const std::vector<BeamEnd>& ends) {
@@ -40,8 +40,9 @@ int BeamMap::Add(double t, const PosedBeams& ping, const std::vector<BeamEnd>& e
     kept.used = static_cast<std::uint8_t>(kept.used | bit);
     kept.seabed = static_cast<std::uint8_t>(kept.seabed | (end.is_seabed ? bit : 0U));
   }
-  Lay(kept, Laying::kAdd);
+  Lay(static_cast<std::uint32_t>(pings_.size()), kept, Laying::kAdd);
   pings_.push_back(kept);
+  evidence_.DropUnused();
   NoteDepthSigma(ping);
   return held;
 }
@@ -68,21 +69,75 @@ void BeamMap::NoteDepthSigma(const PosedBeams& ping) {
   depths_.SetZeroSigma(std::sqrt(down_variance_ / with_variance_));
 }
 
-void BeamMap::Lay(const Ping& ping, Laying laying) {
-  const Eigen::Vector3d& p_WD = ping.X_WD.p_WB;
+template <class Visit>
+void BeamMap::ForEachBeam(const Ping& ping, const Visit& visit) const {
+  if (!evidence_.Holds(ping.X_WD.p_WB)) return;
   const Eigen::Matrix3d R_WD = RotationOf(ping.X_WD);
   for (std::size_t beam = 0; beam < ping.ranges.size(); ++beam) {
     if (!ping.uses(beam)) continue;
     const Eigen::Vector3d end_W = EndOf(ping, R_WD, beam);
-    if (!evidence_.Holds(p_WD) || !evidence_.Holds(end_W)) continue;  // nor was it laid there
+    if (evidence_.Holds(end_W)) visit(beam, end_W);
+  }
+}
+
+void BeamMap::NoteTiles(std::uint32_t ping, const Eigen::AlignedBox3d& extent_W) {
+  const TileKey from = TileOf(KeyOf(extent_W.min(), evidence_.resolution()));
+  const TileKey to = TileOf(KeyOf(extent_W.max(), evidence_.resolution()));
+  for (TileKey tile = from; tile.north <= to.north; ++tile.north) {
+    for (tile.east = from.east; tile.east <= to.east; ++tile.east) {
+      TilePings& known = tile_pings_[tile];
+      if (!known.pings.empty() && known.pings.back() == ping) continue;
+      known.pings.push_back(ping);
+      // A track that moves time and again must not make the list grow.
+      if (known.pings.size() > 2 * known.each_once + 1024) {
+        std::ranges::sort(known.pings);
+        known.pings.erase(std::ranges::unique(known.pings).begin(), known.pings.end());
+        known.each_once = known.pings.size();
+      }
+    }
+  }
+}
+
+void BeamMap::Lay(std::uint32_t number, const Ping& ping, Laying laying) {
+  const Eigen::Vector3d& p_WD = ping.X_WD.p_WB;
+  Eigen::AlignedBox3d extent_W;
+  ForEachBeam(ping, [&](std::size_t beam, const Eigen::Vector3d& end_W) {
     if (laying == Laying::kAdd) {
+      extent_W.extend(end_W);
       evidence_.Add(p_WD, end_W);
       if (ping.sees_seabed(beam)) depths_.Add(end_W);
     } else {
       evidence_.TakeBack(p_WD, end_W);
       if (ping.sees_seabed(beam)) depths_.TakeBack(end_W);
     }
-  }
+  });
+  if (!extent_W.isEmpty()) NoteTiles(number, extent_W.extend(p_WD));
+}
+
+void BeamMap::Hold(const TileKey& tile) const {
+  const auto found = tile_pings_.find(tile);
+  if (found == tile_pings_.end()) return;
+  std::vector<std::uint32_t> pings = found->second.pings;
+  std::ranges::sort(pings);
+  pings.erase(std::ranges::unique(pings).begin(), pings.end());
+  evidence_.Hold(tile, [&](const BeamEvidence::BeamVisitor& visit) {
+    for (const std::uint32_t number : pings) {
+      const Ping& ping = pings_[number];
+      ForEachBeam(ping, [&](std::size_t /*beam*/, const Eigen::Vector3d& end_W) {
+        visit(ping.X_WD.p_WB, end_W);
+      });
+    }
+  });
+}
+
+VoxelCounts BeamMap::At(const VoxelKey& key) const {
+  if (const TileKey tile = TileOf(key); evidence_.IsDropped(tile)) Hold(tile);
+  return evidence_.At(key);
+}
+
+void BeamMap::ForEachKnown(const TileKey& tile, const BeamEvidence::VoxelVisitor& visit) const {
+  if (evidence_.IsDropped(tile)) Hold(tile);
+  evidence_.ForEachKnown(tile, visit);
 }
 
 void BeamMap::Shift(const TrackShift& shift) {
@@ -103,18 +158,19 @@ double BeamMap::Owed(const Ping& ping) const {
   return std::sqrt(static_cast<double>(north * north + east * east + down * down)) + swing;
 }
 
-int BeamMap::Move(Ping& ping, const TrackShift& shift) {
+int BeamMap::Move(std::uint32_t number, const TrackShift& shift) {
+  Ping& ping = pings_[number];
   const Pose moved = shift.Apply(ping.t, Pose{});
   for (std::size_t axis = 0; axis < 3; ++axis) {
     ping.owed[axis] += static_cast<float>(moved.p_WB[static_cast<Eigen::Index>(axis)]);
   }
   ping.owed[3] += static_cast<float>(moved.yaw);
   if (Owed(ping) <= kStays) return kLookWork;
-  Lay(ping, Laying::kTakeBack);
+  Lay(number, ping, Laying::kTakeBack);
   ping.X_WD.p_WB += Eigen::Vector3f(ping.owed[0], ping.owed[1], ping.owed[2]).cast<double>();
   ping.X_WD.yaw += static_cast<double>(ping.owed[3]);
   ping.owed = {};
-  Lay(ping, Laying::kAdd);
+  Lay(number, ping, Laying::kAdd);
   return kLayWork;
 }
 
@@ -123,7 +179,7 @@ bool BeamMap::Settle(int work) {
     Sweep& sweep = sweeps_.front();
     for (; sweep.next < sweep.end; ++sweep.next) {
       if (work <= 0) return false;
-      work -= Move(pings_[sweep.next], sweep.shift);
+      work -= Move(static_cast<std::uint32_t>(sweep.next), sweep.shift);
     }
     sweeps_.pop_front();
   }

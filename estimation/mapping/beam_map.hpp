@@ -5,7 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
+#include <optional>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "estimation/mapping/beam_evidence.hpp"
 #include "estimation/mapping/depth_map.hpp"
@@ -26,7 +30,9 @@ class BeamMap {
   /// Work that fits into one tick: about 500 pings laid again.
   static constexpr int kWorkPerTick = 50'000;
 
-  explicit BeamMap(Meters resolution, const DvlBeams& dvl = {});
+  /// `most_held`: what voxels may take, as BeamEvidence has it.
+  explicit BeamMap(Meters resolution, const DvlBeams& dvl = {},
+                   std::size_t most_held = BeamEvidence::kMostHeld);
 
   /// Lays the ping of time `t` [s], not before the last one's, whose beams end at `ends`
   /// (BeamEnds). Returns how many of them it could hold: those not too far from the origin.
@@ -41,8 +47,17 @@ class BeamMap {
   /// Ends on the seabed of a ping, as laid; pings count from 0 in the order in which they came.
   [[nodiscard]] std::vector<Eigen::Vector3d> SeabedEnds(std::size_t ping) const;
 
-  [[nodiscard]] const BeamEvidence& evidence() const { return evidence_; }
-  [[nodiscard]] BeamEvidence& evidence() { return evidence_; }
+  /// What beams say of a voxel; zeros where none has been.
+  [[nodiscard]] VoxelCounts At(const VoxelKey& key) const;
+  /// All voxels of a tile that beams have been in, in no order.
+  void ForEachKnown(const TileKey& tile, const BeamEvidence::VoxelVisitor& visit) const;
+  /// Those that beams have been in, by key.
+  [[nodiscard]] std::vector<TileKey> Tiles() const { return evidence_.Tiles(); }
+  /// Those that are other than when this was last called, by key.
+  [[nodiscard]] std::vector<TileKey> TakeChanged() { return evidence_.TakeChanged(); }
+  [[nodiscard]] double resolution() const { return evidence_.resolution(); }
+  /// Of the voxels that are in memory.
+  [[nodiscard]] std::size_t held_bytes() const { return evidence_.bytes(); }
   /// Depths of the seabed, by columns as wide as a voxel.
   [[nodiscard]] const DepthMap& depths() const { return depths_; }
   [[nodiscard]] std::size_t pings() const { return pings_.size(); }
@@ -65,17 +80,31 @@ class BeamMap {
   };
   enum class Laying { kAdd, kTakeBack };
 
+  /// Which pings have been laid in a tile; some may have left it since.
+  struct TilePings {
+    std::vector<std::uint32_t> pings;  ///< some twice
+    std::size_t each_once = 0;         ///< so many were left when they were last gone through
+  };
+
   [[nodiscard]] Eigen::Vector3d EndOf(const Ping& ping, const Eigen::Matrix3d& R_WD,
                                       std::size_t beam) const;
+  /// Its beams' ends that can be laid, with their numbers.
+  template <class Visit>
+  void ForEachBeam(const Ping& ping, const Visit& visit) const;
+  /// `extent_W`: of all its beams as laid.
+  void NoteTiles(std::uint32_t ping, const Eigen::AlignedBox3d& extent_W);
+  /// Lays a tile again that has been dropped.
+  void Hold(const TileKey& tile) const;
   void NoteDepthSigma(const PosedBeams& ping);
-  void Lay(const Ping& ping, Laying laying);
+  void Lay(std::uint32_t number, const Ping& ping, Laying laying);
   /// Returns the work it took.
-  int Move(Ping& ping, const TrackShift& shift);
+  int Move(std::uint32_t number, const TrackShift& shift);
   [[nodiscard]] double Owed(const Ping& ping) const;
 
   std::array<Eigen::Vector3d, 4> directions_;
-  double reach_;  ///< of a beam of one metre, from the vertical [m]
-  BeamEvidence evidence_;
+  double reach_;                   ///< of a beam of one metre, from the vertical [m]
+  mutable BeamEvidence evidence_;  ///< what is dropped of it comes back when it is read
+  std::map<TileKey, TilePings> tile_pings_;
   DepthMap depths_;
   double down_variance_ = 0.0;  ///< sum over the pings that say it [m^2]
   int with_variance_ = 0;

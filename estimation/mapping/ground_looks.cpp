@@ -9,6 +9,17 @@
 #include "estimation/mapping/semantic_octree.hpp"
 
 namespace limpet {
+namespace {
+
+constexpr std::size_t kTileColumns = std::size_t{kTileVoxels} * kTileVoxels;
+
+/// Of a voxel's column in its tile.
+std::size_t PlaceInTile(const VoxelKey& key) {
+  constexpr std::int64_t kInside = kTileVoxels - 1;
+  return static_cast<std::size_t>((key[0] & kInside) << kTileBits | (key[1] & kInside));
+}
+
+}  // namespace
 
 void GroundLooks::SetModel(const LookModel& model) {
   model_ = model;
@@ -44,9 +55,18 @@ bool GroundLooks::Settle(const std::vector<ObservedFrame>& frames, const Semanti
   }
   if (work == 0 || !anew_) return work > 0;
   if (GoOn(*anew_, frames, map, work) == 0) return false;
-  known_ = *std::move(anew_);
-  anew_.reset();
+  TakeOver();
   return !is_stale_;
+}
+
+void GroundLooks::TakeOver() {
+  std::set<TileKey> changed = std::move(known_.changed);
+  for (const auto& [tile, columns] : known_.tiles) {
+    changed.insert(tile);
+  }
+  known_ = *std::move(anew_);
+  known_.changed.merge(changed);
+  anew_.reset();
 }
 
 int GroundLooks::Look(const ObservedFrame& frame, const SemanticMap& map, Passage& passage) const {
@@ -67,13 +87,17 @@ int GroundLooks::Look(const ObservedFrame& frame, const SemanticMap& map, Passag
       ++work;
       const std::optional<double> miss = MissAt(frame, map, {north, east, *down});
       if (!miss) continue;
-      Column& known = passage.columns[{row, column}];
+      const VoxelKey key{row, column, 0};
+      Columns& columns = passage.tiles[TileOf(key)];
+      columns.resize(kTileColumns);
+      Column& known = columns[PlaceInTile(key)];
       if (frame.exposure.value() - known.last > looks_.new_pass_gap.value()) {
         known.passes += known.pass;
         known.pass = 0.0;
       }
       known.pass = std::min(known.pass, *miss);
       known.last = frame.exposure.value();
+      passage.changed.insert(TileOf(key));
     }
   }
   return work;
@@ -114,10 +138,10 @@ bool GroundLooks::IsInSight(const ObservedFrame& frame, const SemanticMap& map,
 }
 
 float GroundLooks::LogOdds(const VoxelKey& key) const {
-  const auto found = known_.columns.find({key[0], key[1]});
-  if (found == known_.columns.end()) return 0.0F;
-  return static_cast<float>(
-      std::max(-kMostVoxelLogOdds, found->second.passes + found->second.pass));
+  const auto found = known_.tiles.find(TileOf(key));
+  if (found == known_.tiles.end()) return 0.0F;
+  const Column& column = found->second[PlaceInTile(key)];
+  return static_cast<float>(std::max(-kMostVoxelLogOdds, column.passes + column.pass));
 }
 
 }  // namespace limpet

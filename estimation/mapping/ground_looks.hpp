@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "estimation/change/look_log.hpp"
@@ -36,22 +37,28 @@ class GroundLooks {
               int work = kWorkPerTick);
   /// ln P_a / (1 - P_a) of ground in the voxel's column, zero or less.
   [[nodiscard]] float LogOdds(const VoxelKey& key) const;
+  /// Tiles of which other odds are said than when this was last called.
+  [[nodiscard]] std::set<TileKey> TakeChanged() { return std::exchange(known_.changed, {}); }
 
  private:
-  using ColumnKey = std::array<std::int64_t, 2>;
   struct Column {
     double passes = 0.0;  ///< log-odds of the passes before
     double pass = 0.0;    ///< of the best look of the latest one
     double last = 0.0;    ///< its time [s]
   };
+  /// A tile's, by their place in it.
+  using Columns = std::vector<Column>;
 
   /// What came of going through the frames, so far.
   struct Passage {
-    std::map<ColumnKey, Column> columns;
+    std::map<TileKey, Columns> tiles;
+    std::set<TileKey> changed;
     std::size_t next_frame = 0;
     std::optional<Pose> last_look;
   };
 
+  /// What was gone through anew is what is known from now on.
+  void TakeOver();
   [[nodiscard]] bool IsNewLook(const ObservedFrame& frame, const Passage& passage) const;
   /// Returns the work that is left; none if the frames are not all gone through.
   int GoOn(Passage& passage, const std::vector<ObservedFrame>& frames, const SemanticMap& map,

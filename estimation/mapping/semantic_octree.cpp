@@ -2,6 +2,7 @@
 #include "estimation/mapping/semantic_octree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <octomap/OcTreeNode.h>
@@ -126,6 +127,20 @@ std::vector<Voxel> SemanticOctree::Leaves() const {
   std::vector<Voxel> leaves;
   ForEachLeaf([&leaves](const Voxel& leaf) { leaves.push_back(leaf); });
   return leaves;
+}
+
+void SemanticOctree::AddLeaf(const Voxel& leaf) {
+  const double edge = resolution();
+  const int n = std::max(1, static_cast<int>(std::lround(leaf.size / edge)));
+  const Eigen::Vector3d first = leaf.p_W + Eigen::Vector3d::Constant(0.5 * (edge - n * edge));
+  for (int i = 0; i < n * n * n; ++i) {
+    Set(first + edge * Eigen::Vector3d(i % n, i / n % n, i / n / n), leaf.belief);
+  }
+}
+
+void SemanticOctree::Merge() {
+  impl_->tree->updateInnerOccupancy();
+  impl_->tree->prune();
 }
 
 std::string SemanticOctree::Serialize() const {

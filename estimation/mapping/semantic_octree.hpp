@@ -74,6 +74,10 @@ class SemanticOctree {
   [[nodiscard]] std::string Serialize() const;
   /// Checks every byte's place before it builds the tree: OctoMap's own reader trusts its input.
   [[nodiscard]] static Expected<SemanticOctree> Parse(const std::string& bytes);
+  /// Takes over a leaf of another one, of voxels as large: sets each of the voxels that it is.
+  void AddLeaf(const Voxel& leaf);
+  /// Merges equal voxels side by side.
+  void Merge();
 
  private:
   class Impl;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "limpet/topics/chips.hpp"
+#include "limpet/topics/map_tile.hpp"
 #include "limpet/topics/mapping.hpp"
 #include "limpet/topics/packed_bytes.hpp"
 #include "limpet/topics/sensors.hpp"
@@ -25,6 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   RoundTrip<limpet::CameraFrame>(bytes);
   RoundTrip<limpet::GridDelta>(bytes);
   RoundTrip<limpet::ImageChips>(bytes);
+  RoundTrip<limpet::MapTile>(bytes);
   RoundTrip<limpet::PackedBytes>(bytes);
   return 0;
 }

@@ -11,6 +11,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/session_input.hpp"
 #include "estimation/mapping/map_export.hpp"
+#include "estimation/mapping/saved_map.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "estimation/scene/map_scene.hpp"
 #include "limpet/console/command_output.hpp"
@@ -136,12 +137,11 @@ Command ExportForm() {
 }
 
 /// Throws ConfigError.
-SemanticOctree OctreeOf(const SavedSession& session) {
-  if (session.memory.map.empty()) return SemanticOctree();
-  Expected<SemanticOctree> octree = SemanticOctree::Parse(session.memory.map);
+SemanticOctree OctreeOfSession(const SavedSession& session) {
+  Expected<SemanticOctree> octree = OctreeOf(session.memory.map);
   if (!octree) {
     throw ConfigError(ConfigProblem{.where = {.file = session.folder.string(), .line = 0},
-                                    .key = "map.ot",
+                                    .key = "map",
                                     .text = octree.error().text});
   }
   return *std::move(octree);
@@ -190,7 +190,7 @@ int Export(const Arguments& given) {
   }
   if (wants_file) static_cast<void>(FormatNamed(*given.Find("format")));
   const SavedSession session = OpenSession(given.positionals().front(), "the session");
-  const SemanticOctree octree = OctreeOf(session);
+  const SemanticOctree octree = OctreeOfSession(session);
   if (wants_file) {
     WriteFormat(given, session, octree);
   } else {

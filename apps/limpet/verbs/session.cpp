@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/session.hpp"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -86,13 +87,18 @@ std::vector<Message> MapAtTheEnd(const fs::path& journal, const ScratchFolder& s
                              .run_folder = {},
                              .prior_folder = {},
                              .session = saved.facts.session};
-    const Message question{.name = topics::kMapSnapshotRequest.name,
-                           .value = std::string("recovered"),
-                           .time = {},
-                           .source = kApp,
-                           .source_aux = "",
-                           .community = ""};
-    return EndLife(context, *block, journal, scratch, {&question, 1}).last_words;
+    const auto question = [](const std::string& name) {
+      return Message{.name = name,
+                     .value = std::string("recovered"),
+                     .time = {},
+                     .source = kApp,
+                     .source_aux = "",
+                     .community = ""};
+    };
+    // All of its tiles: whether those of before have come to be in pSession's journal nobody knows.
+    const std::array questions{question(topics::kMapSnapshotRequest.name),
+                               question(topics::kMapTilesRequest.name)};
+    return EndLife(context, *block, journal, scratch, questions).last_words;
   } catch (const ConfigError& error) {
     fmt::print(stderr, "note: the map stays as it was last saved: {}\n", error.what());
     return {};

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "estimation/mapping/map_export.hpp"
+#include "estimation/mapping/saved_map.hpp"
 
 namespace limpet {
 namespace {
@@ -111,8 +112,8 @@ Expected<DepthGrid> DepthGridOf(const SessionMemory& memory) {
     return DepthGridOf(*depths);
   }
   if (memory.map.empty()) return DepthGrid{};
-  const Expected<SemanticOctree> octree = SemanticOctree::Parse(memory.map);
-  if (!octree) return Error{"map.ot: " + octree.error().text};
+  const Expected<SemanticOctree> octree = OctreeOf(memory.map);
+  if (!octree) return octree.error();
   return DepthGridOf(*octree);
 }
 

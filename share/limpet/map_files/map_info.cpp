@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "estimation/mapping/map_export.hpp"
+#include "estimation/mapping/saved_map.hpp"
 #include "limpet/console/shown_text.hpp"
 #include "limpet/map_files/depth_grid.hpp"
 #include "limpet/map_files/object_files.hpp"
@@ -75,8 +76,8 @@ Expected<MapInfo> InfoOf(const SavedSession& session) {
   if (!depths) return depths.error();
   info.depth = InfoOf(*depths);
   if (session.memory.map.empty()) return info;
-  const Expected<SemanticOctree> octree = SemanticOctree::Parse(session.memory.map);
-  if (!octree) return Error{"map.ot: " + octree.error().text};
+  const Expected<SemanticOctree> octree = OctreeOf(session.memory.map);
+  if (!octree) return octree.error();
   info.octree = InfoOf(*octree);
   return info;
 }

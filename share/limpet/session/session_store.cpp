@@ -201,18 +201,37 @@ Expected<Manifest> ReadManifest(const fs::path& file) {
 
 }  // namespace
 
+Expected<const SessionWriter::Generation*> SessionWriter::Last() {
+  if (!last_) {  // this writer's first
+    Expected<Manifest> manifest = ReadManifest(folder_ / kManifest);
+    if (!manifest) return manifest.error();
+    last_ = Generation{.number = manifest->generation, .files = std::move(manifest->files)};
+  }
+  return &*last_;
+}
+
+Expected<std::string> SessionWriter::ReadLast(const std::string& name) {
+  const Expected<const Generation*> last = Last();
+  if (!last) return last.error();
+  const fs::path file = folder_ / GenerationName((*last)->number) / name;
+  Expected<std::string> bytes = ReadWhole(file);
+  const auto listed = (*last)->files.find(name);
+  if (!bytes || listed == (*last)->files.end()) return Damaged(file, "missing");
+  if (ChecksumOf(*bytes) != listed->second.checksum) {
+    return Damaged(file, "damaged: its checksum does not match");
+  }
+  return bytes;
+}
+
 Expected<ListedFiles> SessionWriter::Kept(const SessionFiles& files,
                                           const std::set<std::string>& unchanged) {
   ListedFiles kept;
   for (const std::string& name : unchanged) {
     if (files.contains(name)) continue;
-    if (!last_) {  // this writer's first
-      Expected<Manifest> manifest = ReadManifest(folder_ / kManifest);
-      if (!manifest) return Error{name + " cannot be kept: " + manifest.error().text};
-      last_ = Generation{.number = manifest->generation, .files = std::move(manifest->files)};
-    }
-    const auto found = last_->files.find(name);
-    if (found == last_->files.end()) {
+    const Expected<const Generation*> last = Last();
+    if (!last) return Error{name + " cannot be kept: " + last.error().text};
+    const auto found = (*last)->files.find(name);
+    if (found == (*last)->files.end()) {
       return Error{fmt::format("{} cannot be kept: {} has no such file", name,
                                (folder_ / GenerationName(last_->number)).string())};
     }

@@ -59,12 +59,16 @@ class SessionWriter {
   /// written: the next commit has to bring that file.
   [[nodiscard]] Expected<int> Commit(SessionFacts facts, const SessionFiles& files,
                                      const std::set<std::string>& unchanged = {});
+  /// A file of the last complete generation; the error says why it cannot be read.
+  [[nodiscard]] Expected<std::string> ReadLast(const std::string& name);
 
  private:
   struct Generation {
     int number = 0;
     ListedFiles files;
   };
+  /// The last complete generation; read from the manifest by a writer that has written none.
+  [[nodiscard]] Expected<const Generation*> Last();
   /// What the last generation's manifest says of the `unchanged` that are not in `files`.
   [[nodiscard]] Expected<ListedFiles> Kept(const SessionFiles& files,
                                            const std::set<std::string>& unchanged);

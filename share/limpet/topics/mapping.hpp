@@ -13,6 +13,7 @@
 #include "limpet/objects/former_session.hpp"
 #include "limpet/objects/frame.hpp"
 #include "limpet/objects/object_estimate.hpp"
+#include "limpet/topics/map_tile.hpp"
 #include "limpet/topics/packed_bytes.hpp"
 #include "limpet/topics/topic.hpp"
 
@@ -184,19 +185,27 @@ inline const auto kWaterRecord =
                          {.unit = "m", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
 inline const auto kMapDepths = Declare<PackedBytes>(
     "MAP_DEPTHS", "depth of the seabed by columns, as text of depths.csv (docs/map-files.md)",
-    {.unit = "m", .frame = "NED", .rate = "before each MAP_SNAPSHOT", .writers = {"pMap"}});
-inline const auto kMapSnapshot = Declare<PackedBytes>(
-    "MAP_SNAPSHOT", "whole semantic octree",
+    {.unit = "m", .frame = "NED", .rate = "before each MAP_TILES", .writers = {"pMap"}});
+inline const auto kMapTile = Declare<MapTile>(
+    "MAP_TILE", "semantic octree of a square of the map, if it is other than when it was last sent",
     {.unit = "m", .frame = "NED", .rate = "on MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
-inline const auto kMapSnapshotRequest =
-    Declare<std::string>("MAP_SNAPSHOT_REQUEST", "asks for MAP_SNAPSHOT; value says why",
-                         {.rate = "with each save", .writers = {"pSession"}, .is_command = true});
+inline const auto kMapTiles = Declare<MapTileList>(
+    "MAP_TILES", "which MAP_TILEs make the map, the last ones of each",
+    {.rate = "after the MAP_TILEs of a MAP_SNAPSHOT_REQUEST", .writers = {"pMap"}});
+inline const auto kMapSnapshotRequest = Declare<std::string>(
+    "MAP_SNAPSHOT_REQUEST", "asks for what is other in the map; value says why",
+    {.rate = "with each save", .writers = {"pSession"}, .is_command = true});
+inline const auto kMapTilesRequest = Declare<std::string>(
+    "MAP_TILES_REQUEST", "asks for all of the map's tiles again; value says why",
+    {.rate = "where MAP_TILES tells of others than have come",
+     .writers = {"pSession"},
+     .is_command = true});
 inline const auto kSessionPrior = Declare<SessionPrior>(
     "SESSION_PRIOR", "objects of the loaded former session, and where it looked from",
     {.unit = "m, rad, s", .frame = "NED", .rate = "once", .writers = {"pSession"}});
-inline const auto kSessionPriorMap = Declare<PackedBytes>(
-    "SESSION_PRIOR_MAP", "semantic octree of the loaded former session, in its frame",
-    {.unit = "m", .frame = "NED", .rate = "once", .writers = {"pSession"}});
+inline const auto kSessionPriorMap = Declare<MapTile>(
+    "SESSION_PRIOR_MAP", "a tile of the loaded former session's semantic octree, in its frame",
+    {.unit = "m", .frame = "NED", .rate = "once for each of its tiles", .writers = {"pSession"}});
 inline const auto kSessionSave =
     Declare<std::string>("SESSION_SAVE", "asks pSession to save; value says why",
                          {.rate = "on event", .writers = {"pSurvey"}, .is_command = true});

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "apps/pMap/map_app.hpp"
+#include "estimation/mapping/saved_map.hpp"
+#include "limpet/session/map_tile_table.hpp"
 #include "tests/support/flyover.hpp"
 #include "tests/support/test_link.hpp"
 
@@ -58,6 +60,20 @@ inline void AddViews(const trial::Leg& leg, SessionPrior& prior) {
 /// pMap with mail as a survey would send it.
 class MapAppTest : public ::testing::Test {
  protected:
+  /// The map as its tiles tell it.
+  [[nodiscard]] Expected<SemanticOctree> ToldMap() const {
+    MapFiles files;
+    for (const MessagePtr& message : link_.published) {
+      if (message->name != topics::kMapTile.name) continue;
+      const MapTile tile = TopicCodec<MapTile>::Decode(message->value).value();
+      if (tile.packed.empty()) {
+        files.erase(TileFile(tile.key));
+      } else {
+        files[TileFile(tile.key)] = tile.packed;
+      }
+    }
+    return OctreeOf(files);
+  }
   AppContext Context() {
     AppContext context;
     context.name = "pMap";

@@ -179,14 +179,72 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   Survey({.north = -1, .east = 0, .length = 10}, {kYellow});
   Confirm({kYellow});
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
-  const std::optional<PackedBytes> sent = link_.Last(topics::kMapSnapshot);
-  ASSERT_TRUE(sent);
-  const Expected<SemanticOctree> map = SemanticOctree::Parse(sent->bytes);
+  const Expected<SemanticOctree> map = ToldMap();
   ASSERT_TRUE(map);
   const std::optional<VoxelBelief> top = map->At(kYellow.ned - Eigen::Vector3d(0, 0, 0.45));
   ASSERT_TRUE(top);
   EXPECT_GT(top->object, std::log(0.7 / 0.3));
   EXPECT_EQ(top->label, VoxelLabel::kNew);
+}
+
+/// A ping a place, each in a tile of its own.
+TEST_F(MapAppTest, TellsOnlyWhatIsOtherInItsMapAndAllOfItOnRequest) {
+  const auto ping_at = [this](double north) {
+    link_.Send(app_, topics::kNavBeams,
+               PosedBeams{.north = north,
+                          .east = 6.4,
+                          .down = 3.5,
+                          .b1 = 4.4,
+                          .b2 = {},
+                          .b3 = {},
+                          .b4 = {},
+                          .sd_down = {}});
+  };
+  const auto ask = [this](const Topic<std::string>& topic) {
+    link_.published.clear();
+    link_.Send(app_, topic, std::string("test"));
+    return link_.Count(topics::kMapTile);
+  };
+  for (int i = 0; i < 3; ++i)
+    ping_at(6.4 + 12.8 * i);
+  EXPECT_EQ(ask(topics::kMapSnapshotRequest), 3);
+  EXPECT_EQ(link_.Last(topics::kMapTiles)->tiles, 3);
+  EXPECT_EQ(ask(topics::kMapSnapshotRequest), 0);
+  ping_at(6.4 + 12.8);
+  EXPECT_EQ(ask(topics::kMapSnapshotRequest), 1);
+  EXPECT_EQ(link_.Last(topics::kMapTile)->key, (TileKey{1, 0}));
+  const MapTileList told = *link_.Last(topics::kMapTiles);
+  EXPECT_EQ(ask(topics::kMapTilesRequest), 3);
+  EXPECT_EQ(link_.Last(topics::kMapTiles), told);
+  MapTileTable heard;
+  for (const MessagePtr& message : link_.published) {
+    if (message->name == topics::kMapTile.name)
+      heard.Put(*TopicCodec<MapTile>::Decode(message->value));
+  }
+  EXPECT_EQ(heard.List(), told);
+}
+
+TEST_F(MapAppTest, TellsALargeMapTickByTick) {
+  constexpr int kTiles = MapTeller::kAtOnce + MapTeller::kPerTick + 1;
+  for (int i = 0; i < kTiles; ++i) {
+    link_.Send(app_, topics::kNavBeams,
+               PosedBeams{.north = 6.4 + 12.8 * i,
+                          .east = 6.4,
+                          .down = 3.5,
+                          .b1 = 4.4,
+                          .b2 = {},
+                          .b3 = {},
+                          .b4 = {},
+                          .sd_down = {}});
+  }
+  link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
+  EXPECT_EQ(link_.Count(topics::kMapTiles), 0);
+  for (int i = 0; i < 2; ++i) {
+    link_.time += Seconds(0.25);
+    app_.Tick(link_.time);
+  }
+  EXPECT_EQ(link_.Count(topics::kMapTile), kTiles);
+  EXPECT_EQ(link_.Last(topics::kMapTiles)->tiles, kTiles);
 }
 
 TEST_F(MapAppTest, TellsOfWhatStandsInTheWayAndKeepsItInItsMap) {
@@ -206,7 +264,7 @@ TEST_F(MapAppTest, TellsOfWhatStandsInTheWayAndKeepsItInItsMap) {
   ASSERT_TRUE(alert);
   EXPECT_THAT(*alert, ::testing::StartsWith("name=ob_1#poly=pts={"));
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
-  const auto map = SemanticOctree::Parse(link_.Last(topics::kMapSnapshot)->bytes);
+  const Expected<SemanticOctree> map = ToldMap();
   ASSERT_TRUE(map);
   const std::optional<VoxelBelief> voxel = map->At({8.0, 0.0, 3.5});
   ASSERT_TRUE(voxel);
@@ -239,15 +297,14 @@ TEST_F(MapAppTest, TakesBackCoverageOfGroundThatTheTrackTurnsOutNotToHaveShown) 
 TEST_F(MapAppTest, SavesWhatAFormerSessionKnewWithWhatItSeesItself) {
   SemanticOctree former;
   former.Set({3.1, 3.1, 7.5}, {.occupied = 2.0F});
-  link_.Send(app_, topics::kSessionPriorMap, PackedBytes{"x"});
-  EXPECT_TRUE(app_.warnings().contains("FORMER_MAP"));
-  link_.Send(app_, topics::kSessionPriorMap, PackedBytes{former.Serialize()});
+  link_.Send(app_, topics::kSessionPriorMap, MapTile::Of({0, 0}, former.Serialize()));
   EXPECT_FALSE(app_.warnings().contains("FORMER_MAP"));
+  link_.Send(app_, topics::kSessionPriorMap, MapTile::Of({0, 1}, "x"));
+  EXPECT_TRUE(app_.warnings().contains("FORMER_MAP"));
   link_.Send(app_, topics::kNavBeams,
              PosedBeams{.down = 3.5, .b1 = 4.4, .b2 = 4.4, .b3 = 4.4, .b4 = 4.4, .sd_down = {}});
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
-  const PackedBytes saved = *link_.Last(topics::kMapSnapshot);
-  const Expected<SemanticOctree> map = SemanticOctree::Parse(saved.bytes);
+  const Expected<SemanticOctree> map = ToldMap();
   ASSERT_TRUE(map);
   EXPECT_EQ(map->At({3.1, 3.1, 7.5})->occupied, 1.0F);
   EXPECT_TRUE(map->At({0.1, 0.1, 3.7})) << "its own beams, too";

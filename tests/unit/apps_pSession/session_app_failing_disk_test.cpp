@@ -8,6 +8,7 @@
 
 #include "apps/pSession/session_app.hpp"
 #include "limpet/durable/failing_file_system.hpp"
+#include "limpet/session/map_tile_table.hpp"
 #include "limpet/session/saved_session.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
@@ -24,8 +25,18 @@ class SessionAppOnADisk : public ::testing::Test {
     context_.run_folder = folder_.path() / "discovery";
     context_.session = "discovery";
   }
+  /// A map of two tiles, of which one is never another one.
+  void TellMap(SessionApp& app, const std::string& octree) {
+    for (const MapTile& tile : {MapTile::Of({0, 0}, octree), MapTile::Of({0, 1}, "same")}) {
+      if (told_.Has(tile.key) && tile.key.east == 1) continue;
+      told_.Put(tile);
+      link_.Send(app, topics::kMapTile, tile);
+    }
+    link_.Send(app, topics::kMapTiles, told_.List());
+  }
   TemporaryFolder folder_;
   TestLink link_;
+  MapTileTable told_;
   AppContext context_;
 };
 
@@ -38,13 +49,13 @@ TEST_F(SessionAppOnADisk, KeepsTheLastGenerationAndSaysSoWhileTheDiskFails) {
                            FailingFileSystem::Fault::kReadOnly}) {
     disk.Set(fault);
     link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+    TellMap(app, "1");
     EXPECT_TRUE(app.warnings().contains("SESSION_NOT_SAVED"));
     EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "start");
   }
   disk.Set(FailingFileSystem::Fault::kNone);
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+  TellMap(app, "1");
   EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
   EXPECT_EQ(LoadSession(folder_.path() / "discovery")->facts.cause, "home");
 }
@@ -61,7 +72,7 @@ TEST_F(SessionAppOnADisk, HasOnTheDiskWhatItSaysIsSavedWheneverThePowerIsCut) {
   calls.push_back(disk.calls());
   for (int i = 0; i < 4; ++i) {
     link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, PackedBytes{std::to_string(i)});
+    TellMap(app, std::to_string(i));
     calls.push_back(disk.calls());
   }
   ASSERT_EQ(link_.Count(topics::kSessionSaved), 5);
@@ -83,7 +94,7 @@ TEST_F(SessionAppOnADisk, HasSavedAllThatWasAskedForAtItsEndInACommunity) {
   link_.Send(app, topics::kMapOpis, OpiBeliefs{.opis = {OpiBelief{}}});
   for (int i = 0; i < 5; ++i) {  // faster than a disk
     link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+    TellMap(app, "1");
   }
   link_.time += Seconds(1.0);
   app.Finish(link_.time);

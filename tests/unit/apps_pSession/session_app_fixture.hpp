@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/pSession/session_app.hpp"
+#include "limpet/session/map_tile_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_link.hpp"
 
@@ -42,10 +43,23 @@ class SessionAppTest : public ::testing::Test {
     app.Tick(link_.time);
     link_.Send(app, topics::kMapOpis, OneObject());
     link_.Send(app, topics::kSessionSave, std::string("home"));
-    link_.Send(app, topics::kMapSnapshot, PackedBytes{"12"});
+    TellMap(app, "12");
+  }
+  /// A tile as pMap tells it; the octree may be any text.
+  void TellTile(SessionApp& app, const TileKey& key, const std::string& octree) {
+    const MapTile tile = MapTile::Of(key, octree);
+    told_.Put(tile);
+    link_.Send(app, topics::kMapTile, tile);
+  }
+  void EndMap(SessionApp& app) { link_.Send(app, topics::kMapTiles, told_.List()); }
+  /// A map of one tile.
+  void TellMap(SessionApp& app, const std::string& octree) {
+    TellTile(app, {0, 0}, octree);
+    EndMap(app);
   }
   TemporaryFolder folder_;
   TestLink link_;
+  MapTileTable told_;
 };
 
 }  // namespace limpet

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "apps/pSession/session_app.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/session/saved_session.hpp"
 #include "tests/unit/apps_pSession/session_app_fixture.hpp"
 
@@ -32,7 +30,7 @@ TEST_F(SessionAppTest, KeepsPicturesOfItsObjectsAndOfNothingElse) {
   link_.Send(app, topics::kNavCameraFrame, frame);
   link_.Send(app, topics::kMapOpis, OneObject());
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{"1"});
+  TellMap(app, "1");
   const auto saved = LoadSavedSession(folder_.path() / "discovery", "session");
   ASSERT_EQ(saved.memory.chips.size(), 1U);
   EXPECT_EQ(saved.memory.chips[0].object, 1);
@@ -92,61 +90,15 @@ TEST_F(SessionAppTest, SavesNothingTwiceWhenItGoesThroughItsFormerLife) {
   EXPECT_EQ(LoadSession(folder_.path() / "discovery")->generation, 2);
 }
 
-TEST_F(SessionAppTest, SavesTheMapItAskedFor) {
-  Discover();
-  EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "home");
-  EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
-  EXPECT_EQ(LoadSession(folder_.path() / "discovery")->files.at("map.ot"), "12");
-}
-
-TEST_F(SessionAppTest, ExportsTheMapForOtherPrograms) {
-  SemanticOctree octree;
-  octree.Set({1.1, 2.1, 3.1}, {.occupied = 0.85F, .object = 1.0F, .label = VoxelLabel::kNew});
-  const std::string bytes = octree.Serialize();
-  SessionApp app(Context("discovery"), {});
-  app.Tick(link_.time);
-  link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{bytes});
-  const SessionFiles files = LoadSession(folder_.path() / "discovery")->files;
-  EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
-  EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 1\n"));
-  EXPECT_THAT(files.at("export/map.csv"), ::testing::HasSubstr(",new\n"));
-}
-
-TEST_F(SessionAppTest, HandsOverTheFormerSessionsMapOnce) {
-  Discover();  // its map is two bytes
-  SessionApp app(Context("change", folder_.path() / "discovery"), {});
-  app.Tick(link_.time);
-  EXPECT_EQ(link_.Last(topics::kSessionPriorMap), PackedBytes{"12"});
-  const auto told = [this] {
-    return std::ranges::count(link_.published, topics::kSessionPriorMap.name,
-                              [](const MessagePtr& message) { return message->name; });
-  };
-  app.Tick(link_.time + Seconds(1.0));
-  EXPECT_EQ(told(), 1);
-}
-
 TEST_F(SessionAppTest, KeepsTheDepthsThatCameWithTheMap) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   link_.Send(app, topics::kSessionSave, std::string("home"));
   link_.Send(app, topics::kMapDepths, PackedBytes{"d"});
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{"m"});
+  TellMap(app, "m");
   const SavedSession saved = LoadSavedSession(folder_.path() / "discovery", "session");
   EXPECT_EQ(saved.memory.depths, "d");
   EXPECT_EQ(FilesOf(saved.memory).at("depths.csv"), "d");
-}
-
-/// Over water too deep for the DVL the map stays empty.
-TEST_F(SessionAppTest, ExportsAnEmptyMap) {
-  const std::string bytes = SemanticOctree().Serialize();
-  SessionApp app(Context("discovery"), {});
-  app.Tick(link_.time);
-  link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{bytes});
-  const SessionFiles files = LoadSession(folder_.path() / "discovery")->files;
-  EXPECT_THAT(files.at("export/map_color.ot"), ::testing::HasSubstr("id ColorOcTree"));
-  EXPECT_THAT(files.at("export/map.ply"), ::testing::HasSubstr("element vertex 0\n"));
 }
 
 TEST_F(SessionAppTest, KeepsTheMissionAsItWasRun) {
@@ -196,17 +148,6 @@ TEST_F(SessionAppTest, KeepsThePhasesOfItsFramesAndTheLandmarksOfItsObjects) {
   EXPECT_EQ(prior.views[1].frame.X_WB.p_WB.x(), 3.0);
 }
 
-TEST_F(SessionAppTest, SavesWithoutAMapThatDoesNotCome) {
-  SessionApp app(Context("discovery"), {});
-  app.Tick(link_.time);
-  link_.Send(app, topics::kSessionSave, std::string("home"));
-  app.Tick(link_.time + Seconds(3.0));
-  EXPECT_EQ(link_.Last(topics::kSessionSaved), "generation=2,cause=home");
-  EXPECT_TRUE(app.warnings().contains("MAP_SILENT"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{});
-  EXPECT_FALSE(app.warnings().contains("MAP_SILENT"));
-}
-
 TEST_F(SessionAppTest, WarnsWhileItCannotSave) {
   std::ofstream(folder_.path() / "discovery") << "a file where the run's folder should be\n";
   SessionApp app(Context("discovery"), {});
@@ -214,7 +155,7 @@ TEST_F(SessionAppTest, WarnsWhileItCannotSave) {
   EXPECT_TRUE(app.warnings().contains("SESSION_NOT_SAVED"));
   fs::remove(folder_.path() / "discovery");
   link_.Send(app, topics::kSessionSave, std::string("home"));
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{});
+  EndMap(app);
   EXPECT_FALSE(app.warnings().contains("SESSION_NOT_SAVED"));
   EXPECT_TRUE(LoadSession(folder_.path() / "discovery"));
 }
@@ -228,10 +169,8 @@ TEST_F(SessionAppTest, SavesEveryMinute) {
   EXPECT_EQ(link_.Last(topics::kMapSnapshotRequest), "periodic");
 }
 
-/// Written as a whole each minute, a long survey's map would fill disk and log.
-TEST_F(SessionAppTest, SavesALargeMapLessOften) {
-  std::string large;
-  large.resize(25'600'000, 'm');
+/// What is written as a whole each minute would fill the disk of a long survey.
+TEST_F(SessionAppTest, SavesLessOftenWhereMuchIsToBeWritten) {
   SessionApp app(Context("discovery"), {});
   app.Tick(link_.time);
   const auto asked_after = [&](Seconds time) {
@@ -240,9 +179,10 @@ TEST_F(SessionAppTest, SavesALargeMapLessOften) {
     return link_.Count(topics::kMapSnapshotRequest);
   };
   EXPECT_EQ(asked_after(Seconds(60.0)), 1);
-  link_.Send(app, topics::kMapSnapshot, PackedBytes{large});
+  link_.Send(app, topics::kMapDepths, PackedBytes{std::string(25'600'000, 'd')});
+  EndMap(app);
   EXPECT_EQ(asked_after(Seconds(199.0)), 1);
-  EXPECT_EQ(asked_after(Seconds(1.0)), 2);
+  EXPECT_EQ(asked_after(Seconds(2.0)), 2);
 }
 
 TEST_F(SessionAppTest, SavesWhatCameLateAtTheEnd) {

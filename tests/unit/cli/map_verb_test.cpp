@@ -26,7 +26,7 @@ class MapVerbTest : public ::testing::Test {
  protected:
   void Save(const std::string& map) const {
     SessionMemory memory;
-    memory.map = map;
+    if (!map.empty()) memory.map["map.ot"] = map;
     OpiBelief opi;
     opi.id = 12;
     opi.object.cov_W = Eigen::Matrix3d::Identity();

@@ -51,7 +51,7 @@ TEST(DepthGrid, FollowsWhereMostBeamsEnded) {
 SessionMemory MemoryWith(const std::string& depths, const std::string& map) {
   SessionMemory memory;
   memory.depths = depths;
-  memory.map = map;
+  if (!map.empty()) memory.map["map.ot"] = map;
   return memory;
 }
 

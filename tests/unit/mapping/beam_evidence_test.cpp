@@ -33,8 +33,10 @@ std::vector<TestBeam> RandomBeams(int count) {
 
 std::map<VoxelKey, VoxelCounts> KnownOf(const BeamEvidence& evidence) {
   std::map<VoxelKey, VoxelCounts> known;
-  evidence.ForEachKnown(
-      [&](const VoxelKey& key, const VoxelCounts& counts) { known[key] = counts; });
+  for (const TileKey& tile : evidence.Tiles()) {
+    evidence.ForEachKnown(
+        tile, [&](const VoxelKey& key, const VoxelCounts& counts) { known[key] = counts; });
+  }
   return known;
 }
 
@@ -102,20 +104,37 @@ TEST(BeamEvidence, CountsAndTakesBackMoreBeamsInAPlaceThanTwoBytesHold) {
   EXPECT_TRUE(KnownOf(evidence).empty());
 }
 
-TEST(BeamEvidence, TellsWhatChangedOnceAndWithItWhatHasGone) {
+TEST(BeamEvidence, TellsOnceWhichTilesHaveChangedAlsoWhereNothingIsLeft) {
   BeamEvidence evidence(kVoxelEdge);
-  const auto hits_at_end = [&] {
-    std::vector<std::uint32_t> hits;
-    evidence.TakeChanged([&](const VoxelKey& key, const VoxelCounts& counts) {
-      if (key == VoxelKey{0, 0, 37}) hits.push_back(counts.hits);
-    });
-    return hits;
-  };
+  const std::vector<TileKey> its_tile{{0, 0}};
   evidence.Add({0.1, 0.1, 3.5}, {0.1, 0.1, 7.5});
-  EXPECT_EQ(hits_at_end(), std::vector<std::uint32_t>{1});
-  EXPECT_TRUE(hits_at_end().empty());
+  EXPECT_EQ(evidence.TakeChanged(), its_tile);
+  EXPECT_TRUE(evidence.TakeChanged().empty());
   evidence.TakeBack({0.1, 0.1, 3.5}, {0.1, 0.1, 7.5});
-  EXPECT_EQ(hits_at_end(), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(evidence.TakeChanged(), its_tile);
+  EXPECT_TRUE(KnownOf(evidence).empty());
+}
+
+TEST(BeamEvidence, DropsWhatHasNotBeenUsedForLongestAndTakesItUpAgain) {
+  constexpr std::size_t kRoomForOneBeam = 3000;
+  BeamEvidence evidence(kVoxelEdge, kRoomForOneBeam);
+  const TileKey first{0, 0}, second{1, 0};
+  const Eigen::Vector3d at_first(0.1, 0.1, 3.5), down(0.0, 0.0, 4.0), at_second(14.0, 0.1, 3.5);
+  evidence.Add(at_first, at_first + down);
+  evidence.Add(at_second, at_second + down);
+  evidence.DropUnused();
+  EXPECT_TRUE(evidence.IsDropped(first));
+  EXPECT_FALSE(evidence.IsDropped(second));
+  EXPECT_LE(evidence.bytes(), kRoomForOneBeam);
+  evidence.Add(at_first, at_first + down);  // passes it by
+  EXPECT_TRUE(evidence.IsDropped(first));
+  evidence.Hold(first, [&](const BeamEvidence::BeamVisitor& visit) {
+    visit(at_first, at_first + down);
+    visit(at_first, at_first + down);
+    visit(at_second, at_second + down);
+  });
+  EXPECT_EQ(evidence.At(KeyOf(at_first + down, kVoxelEdge)), (VoxelCounts{.hits = 2}));
+  EXPECT_TRUE(evidence.IsDropped(second));
 }
 
 TEST(BeamEvidence, HoldsWhatAnOctreeCanAndNoNumbersThatAreNone) {

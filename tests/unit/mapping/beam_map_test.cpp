@@ -72,8 +72,10 @@ std::vector<TimedPing> Moved(std::vector<TimedPing> pings, const TrackShift& shi
 
 std::map<VoxelKey, VoxelCounts> VoxelsOf(const BeamMap& map) {
   std::map<VoxelKey, VoxelCounts> voxels;
-  map.evidence().ForEachKnown(
-      [&](const VoxelKey& key, const VoxelCounts& counts) { voxels[key] = counts; });
+  for (const TileKey& tile : map.Tiles()) {
+    map.ForEachKnown(tile,
+                     [&](const VoxelKey& key, const VoxelCounts& counts) { voxels[key] = counts; });
+  }
   return voxels;
 }
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/whole_map.hpp"
+
 namespace limpet {
 namespace {
 
@@ -113,11 +115,15 @@ TEST(GroundLooks, FramesThatMovedAreGoneThroughAgainBesideWhatIsKnown) {
   for (ObservedFrame& frame : frames) {
     frame.X_WB.p_WB.x() += 3.5;
   }
+  EXPECT_FALSE(looks.TakeChanged().empty());
+  EXPECT_TRUE(looks.TakeChanged().empty());
   looks.BeginAnew();
   EXPECT_FALSE(looks.Settle(frames, map, 1));
   EXPECT_EQ(looks.LogOdds(GroundAtPlace(0.1, 0.1)), before);
+  EXPECT_TRUE(looks.TakeChanged().empty()) << "not told yet";
   while (!looks.Settle(frames, map)) {
   }
+  EXPECT_TRUE(looks.TakeChanged().contains(TileOf(GroundAtPlace(0.1, 0.1))));
   EXPECT_EQ(looks.LogOdds(GroundAtPlace(0.1, 0.1)), 0.0F);
 }
 
@@ -126,12 +132,12 @@ TEST(GroundLooks, AreInTheOctreeWhereItIsOccupiedAndNoObject) {
   const VoxelBelief object{.occupied = 2.0F, .object = 2.0F, .label = VoxelLabel::kNew};
   map.Paint(GroundAtPlace(0.1, 0.1), object);
   const auto odds = [](const VoxelKey& key) { return key[0] == 5 ? -3.0F : 0.0F; };
-  const SemanticOctree& octree = map.Octree(odds);
+  const SemanticOctree octree = WholeOctree(map, odds);
   EXPECT_EQ(octree.At(CentreOf(GroundAtPlace(1.1, 0.1), 0.2))->object, -3.0F);
   EXPECT_EQ(octree.At(CentreOf(GroundAtPlace(1.3, 0.1), 0.2))->object, 0.0F);
   EXPECT_EQ(octree.At(CentreOf(GroundAtPlace(0.1, 0.1), 0.2))->object, 2.0F);
   EXPECT_EQ(octree.At({1.1, 0.1, 6.9})->object, 0.0F) << "water";
-  EXPECT_EQ(map.Octree(odds).Serialize(), map.Octree(odds).Serialize());
+  EXPECT_EQ(WholeOctree(map, odds).Serialize(), WholeOctree(map, odds).Serialize());
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/mapping/semantic_map.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "estimation/mapping/saved_map.hpp"
 #include "limpet/core/random.hpp"
+#include "tests/support/whole_map.hpp"
 
 namespace limpet {
 namespace {
@@ -26,7 +30,7 @@ VoxelKey EndOfFirstBeam() {
 TEST(SemanticMap, KnowsNothingAtFirst) {
   SemanticMap map;
   EXPECT_FALSE(map.At({1, 2, 3}));
-  EXPECT_EQ(map.Octree().nodes(), 0U);
+  EXPECT_EQ(WholeOctree(map).nodes(), 0U);
 }
 
 TEST(SemanticMap, BeamsDoNotTouchWhatIsKnownOfObjects) {
@@ -36,7 +40,7 @@ TEST(SemanticMap, BeamsDoNotTouchWhatIsKnownOfObjects) {
     LayPing(map, i, 0.0);
   }
   EXPECT_EQ(map.At(EndOfFirstBeam()), kPaintedBelief);
-  EXPECT_EQ(map.Octree().At(CentreOf(EndOfFirstBeam(), 0.2)), kPaintedBelief);
+  EXPECT_EQ(WholeOctree(map).At(CentreOf(EndOfFirstBeam(), 0.2)), kPaintedBelief);
 }
 
 TEST(SemanticMap, WhereAnObjectWasIsWhatBeamsSayAgain) {
@@ -46,17 +50,17 @@ TEST(SemanticMap, WhereAnObjectWasIsWhatBeamsSayAgain) {
   ASSERT_TRUE(ground);
   EXPECT_GT(ground->occupied, 0.0F);
   map.Paint(EndOfFirstBeam(), kPaintedBelief);
-  EXPECT_EQ(map.Octree().At(CentreOf(EndOfFirstBeam(), 0.2)), kPaintedBelief);
+  EXPECT_EQ(WholeOctree(map).At(CentreOf(EndOfFirstBeam(), 0.2)), kPaintedBelief);
   map.Unpaint(EndOfFirstBeam());
-  EXPECT_EQ(map.Octree().At(CentreOf(EndOfFirstBeam(), 0.2)), ground);
+  EXPECT_EQ(WholeOctree(map).At(CentreOf(EndOfFirstBeam(), 0.2)), ground);
 }
 
 TEST(SemanticMap, ForgetsAnObjectWhereNoBeamHasBeen) {
   SemanticMap map;
   map.Paint({3, 3, 3}, kPaintedBelief);
-  EXPECT_EQ(map.Octree().nodes(), 17U);
+  EXPECT_EQ(WholeOctree(map).nodes(), 17U);
   map.Unpaint({3, 3, 3});
-  EXPECT_EQ(map.Octree().nodes(), 0U);
+  EXPECT_EQ(WholeOctree(map).nodes(), 0U);
 }
 
 TEST(SemanticMap, TheOctreeDoesNotDependOnWhenItWasReadNorOnHowTheTrackMoved) {
@@ -65,7 +69,7 @@ TEST(SemanticMap, TheOctreeDoesNotDependOnWhenItWasReadNorOnHowTheTrackMoved) {
   for (int i = 0; i < 100; ++i) {
     LayPing(watched, i, 0.125 * i);
     watched.Paint({i, 2, 30}, kPaintedBelief);
-    if (i % 10 == 0) static_cast<void>(watched.Octree().Serialize());
+    if (i % 10 == 0) static_cast<void>(WholeOctree(watched).Serialize());
     watched.Unpaint({i - 1, 2, 30});
     PosedBeams ping = kLevelPing;
     ping.north = 0.125 * i + 0.75, ping.east = -0.5;
@@ -73,7 +77,15 @@ TEST(SemanticMap, TheOctreeDoesNotDependOnWhenItWasReadNorOnHowTheTrackMoved) {
   }
   watched.beams().Shift(shift);
   unwatched.Paint({99, 2, 30}, kPaintedBelief);
-  EXPECT_EQ(watched.Octree().Serialize(), unwatched.Octree().Serialize());
+  EXPECT_EQ(WholeOctree(watched).Serialize(), WholeOctree(unwatched).Serialize());
+}
+
+void SetFormer(SemanticMap& map, const SemanticOctree& former) {
+  const Expected<std::vector<MapTile>> tiles = TilesOf(former.Serialize());
+  for (const MapTile& tile : *tiles) {
+    const std::optional<Error> error = map.AddFormer(tile);
+    EXPECT_FALSE(error) << error->text;
+  }
 }
 
 /// A seabed of one lane, as a former session left it.
@@ -83,7 +95,7 @@ SemanticOctree KnownGround() {
     LayPing(map, i, 0.1 * i);
   }
   map.Paint({3, 3, 3}, kPaintedBelief);
-  Expected<SemanticOctree> octree = SemanticOctree::Parse(map.Octree().Serialize());
+  Expected<SemanticOctree> octree = SemanticOctree::Parse(WholeOctree(map).Serialize());
   return *std::move(octree);
 }
 
@@ -91,19 +103,19 @@ TEST(SemanticMap, KeepsHalfOfWhatAFormerSessionKnewOfTheGroundAndNotItsObjects) 
   const SemanticOctree former = KnownGround();
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
   SemanticMap map;
-  map.SetFormer(former);
-  EXPECT_EQ(map.Octree().At(seabed)->occupied, 0.5F * former.At(seabed)->occupied);
+  SetFormer(map, former);
+  EXPECT_EQ(WholeOctree(map).At(seabed)->occupied, 0.5F * former.At(seabed)->occupied);
   const Eigen::Vector3d end = BeamEnds(kLevelPing.pose(), {4.4, {}, {}, {}})[0].p_W;
-  const auto water = map.Octree().At(0.5 * (kLevelPing.pose().p_WB + end));
+  const auto water = WholeOctree(map).At(0.5 * (kLevelPing.pose().p_WB + end));
   ASSERT_TRUE(water);
   EXPECT_LT(water->occupied, 0.0F);
-  EXPECT_FALSE(map.Octree().At(CentreOf({3, 3, 3}, 0.2)));
+  EXPECT_FALSE(WholeOctree(map).At(CentreOf({3, 3, 3}, 0.2)));
 }
 
 TEST(SemanticMap, NewBeamsConfirmWhatIsThereAndOverruleWhatIsNot) {
   SemanticMap same, deeper, alone;
   for (SemanticMap* map : {&same, &deeper}) {
-    map->SetFormer(KnownGround());
+    SetFormer(*map, KnownGround());
   }
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
   for (int i = 0; i < 6; ++i) {
@@ -113,45 +125,92 @@ TEST(SemanticMap, NewBeamsConfirmWhatIsThereAndOverruleWhatIsNot) {
     ping.b1 = *ping.b1 + 0.6;
     deeper.beams().Add(i, ping, {{.p_W = seabed, .is_seabed = true, .beam = 0}});
   }
-  EXPECT_GE(same.Octree().At(seabed)->occupied, alone.Octree().At(seabed)->occupied);
-  EXPECT_LT(deeper.Octree().At(seabed)->occupied, 0.0F);
+  EXPECT_GE(WholeOctree(same).At(seabed)->occupied, WholeOctree(alone).At(seabed)->occupied);
+  EXPECT_LT(WholeOctree(deeper).At(seabed)->occupied, 0.0F);
 }
 
 TEST(SemanticMap, LaysAFormerSessionWhereItsFrameTurnsOutToLie) {
   SemanticMap map;
-  map.SetFormer(KnownGround());
-  static_cast<void>(map.Octree().Serialize());
+  SetFormer(map, KnownGround());
+  static_cast<void>(WholeOctree(map).Serialize());
   map.SetFormerOffset({.shift_W = {2.0, -1.0}, .turn = 0.0, .pivot_W = {1.0, 1.0}, .down = 0.2});
   const Eigen::Vector3d seabed = CentreOf(EndOfFirstBeam(), 0.2);
   const Eigen::Vector3d there = seabed + Eigen::Vector3d(2.0, -1.0, 0.2);
-  EXPECT_GT(map.Octree().At(there)->occupied, 0.0F);
+  EXPECT_GT(WholeOctree(map).At(there)->occupied, 0.0F);
   map.SetFormerOffset({});
-  EXPECT_GT(map.Octree().At(seabed)->occupied, 0.0F);
-  const std::string back = map.Octree().Serialize();
+  EXPECT_GT(WholeOctree(map).At(seabed)->occupied, 0.0F);
+  const std::string back = WholeOctree(map).Serialize();
   SemanticMap untouched;
-  untouched.SetFormer(KnownGround());
-  EXPECT_EQ(back, untouched.Octree().Serialize());
+  SetFormer(untouched, KnownGround());
+  EXPECT_EQ(back, WholeOctree(untouched).Serialize());
 }
 
 TEST(SemanticMap, ASessionThatIsLoadedTwiceIsSavedAlike) {
   const auto saved = [] {
     SemanticMap map;
-    map.SetFormer(KnownGround());
+    SetFormer(map, KnownGround());
     map.SetFormerOffset({.shift_W = {0.3, 0.1}, .turn = 0.02, .pivot_W = {0.0, 0.0}, .down = 0.0});
     for (int i = 0; i < 20; ++i) {
       LayPing(map, i, 0.15 * i);
     }
-    return map.Octree().Serialize();
+    return WholeOctree(map).Serialize();
   };
   EXPECT_EQ(saved(), saved());
 }
 
-TEST(SemanticMap, LeavesOutFormerLeavesThatNoBeamsCanHaveFilled) {
-  SemanticOctree former(Meters(100.0));
-  former.Set({50.0, 50.0, 50.0}, {.occupied = 2.0F});
+TEST(SemanticMap, RefusesAFormerTileThatItCannotLay) {
+  SemanticOctree coarse(Meters(0.5)), elsewhere;
+  coarse.Set({1.0, 1.0, 5.0}, {.occupied = 2.0F});
+  elsewhere.Set({50.0, 1.0, 5.0}, {.occupied = 2.0F});
   SemanticMap map;
-  map.SetFormer(former);
-  EXPECT_EQ(map.Octree().nodes(), 0U);
+  const auto trouble = [&map](const SemanticOctree& octree) {
+    return map.AddFormer(MapTile::Of({0, 0}, octree.Serialize())).value_or(Error{}).text;
+  };
+  EXPECT_EQ(trouble(coarse), "voxels of 0.5 m, where this mission's are of 0.2 m");
+  EXPECT_EQ(trouble(elsewhere), "voxels outside its tile 0, 0");
+  EXPECT_TRUE(map.AddFormer({.key = {0, 0}, .packed = "no gzip"}));
+  EXPECT_EQ(WholeOctree(map).nodes(), 0U);
+}
+
+/// Twenty lanes, 40 m apart, then back to the first: of the rest no voxel is in memory meanwhile.
+TEST(SemanticMap, IsTheSameMapHoweverLittleOfItIsInMemory) {
+  constexpr std::size_t kTwoTiles = 200'000;
+  SemanticMap small(Meters(0.2), {}, kTwoTiles), large;
+  Random random(3);
+  std::size_t most = 0;
+  for (int i = 0; i < 2000; ++i) {
+    PosedBeams ping = kLevelPing;
+    ping.north = 40.0 * (i / 100 % 20) + random.Uniform(-3.0, 3.0);
+    ping.yaw = random.Uniform(-3.0, 3.0);
+    for (SemanticMap* map : {&small, &large})
+      map->beams().Add(i, ping, BeamEnds(ping.pose(), {ping.b1, ping.b2, ping.b3, ping.b4}));
+    most = std::max(most, small.beams().held_bytes());
+    if (i % 500 != 0) continue;
+    const TrackShift shift{{{0.0, 0.0, 0.0, 0.0, 0.0}, {i + 1.0, 0.5, 0.25, 0.0, 0.0}}};
+    for (SemanticMap* map : {&small, &large})
+      map->beams().Shift(shift);
+  }
+  EXPECT_EQ(WholeOctree(small).Serialize(), WholeOctree(large).Serialize());
+  EXPECT_LT(most, 2 * kTwoTiles);
+  EXPECT_GT(large.beams().held_bytes(), 5 * kTwoTiles);
+  EXPECT_EQ(small.At(KeyOf({0.1, 0.1, 3.6}, 0.2)), large.At(KeyOf({0.1, 0.1, 3.6}, 0.2)));
+}
+
+TEST(SemanticMap, TellsWhichTilesAreOtherThanBefore) {
+  SemanticMap map;
+  LayPing(map, 0.0, 5.0);
+  EXPECT_EQ(map.TakeChanged(), (std::vector<TileKey>{{0, -1}, {0, 0}}));
+  EXPECT_TRUE(map.TakeChanged().empty());
+  map.Paint({200, 2, 30}, kPaintedBelief);
+  map.Unpaint({3, 2, 30});
+  EXPECT_EQ(map.TakeChanged(), (std::vector<TileKey>{{3, 0}}));
+  map.Unpaint({200, 2, 30});
+  EXPECT_EQ(map.TakeChanged(), (std::vector<TileKey>{{3, 0}}));
+  EXPECT_EQ(map.OctreeOf({3, 0}).nodes(), 0U);
+  SetFormer(map, KnownGround());
+  EXPECT_EQ(map.TakeChanged().size(), 4U);
+  map.SetFormerOffset({.shift_W = {100.0, 0.0}, .turn = 0.0, .pivot_W = {0.0, 0.0}, .down = 0.0});
+  EXPECT_GT(map.TakeChanged().size(), 4U);
 }
 
 TEST(SemanticMap, EqualMapsGiveEqualBytesAndComeBackFromThem) {
@@ -160,7 +219,7 @@ TEST(SemanticMap, EqualMapsGiveEqualBytesAndComeBackFromThem) {
   for (int i = 0; i < 200; ++i) {
     LayPing(map, i, random.Uniform(-5.0, 5.0));
   }
-  const std::string bytes = map.Octree().Serialize();
+  const std::string bytes = WholeOctree(map).Serialize();
   const Expected<SemanticOctree> loaded = SemanticOctree::Parse(bytes);
   ASSERT_TRUE(loaded) << loaded.error().text;
   EXPECT_EQ(loaded->At(CentreOf(EndOfFirstBeam(), 0.2)), map.At(EndOfFirstBeam()));
