@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 #include <opencv2/imgproc.hpp>
 
-#include "limpet/detectors/image_mat.hpp"
 #include "limpet/detectors/ramp.hpp"
+#include "limpet/vision/image_mat.hpp"
 
 namespace limpet {
 namespace {

@@ -8,10 +8,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "limpet/detectors/image_mat.hpp"
 #include "limpet/detectors/ramp.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
+#include "limpet/vision/image_mat.hpp"
 #include "limpet/vision/paint_classifier.hpp"
 
 namespace limpet {

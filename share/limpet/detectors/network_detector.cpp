@@ -12,9 +12,9 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/logistic.hpp"
-#include "limpet/detectors/image_mat.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
+#include "limpet/vision/image_mat.hpp"
 
 namespace limpet {
 namespace {

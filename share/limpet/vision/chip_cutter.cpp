@@ -10,6 +10,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/vision/image_mat.hpp"
+
 namespace limpet {
 namespace {
 
@@ -29,8 +31,7 @@ cv::Rect SquareAround(const Box& box, double context, const ImageView& image) {
 }  // namespace
 
 ImageChip CutChip(const ImageView& image, const Box& box, const ChipForm& form) {
-  const cv::Mat whole(image.height_px, image.width_px, CV_8UC3,
-                      const_cast<std::uint8_t*>(image.bgr));  // OpenCV's Mat is not const
+  const cv::Mat whole = MatOf(image);
   cv::Mat chip = whole(SquareAround(box, form.context, image));
   const int longest = std::max(chip.cols, chip.rows);
   if (longest > form.side_px) {

@@ -9,6 +9,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/vision/image_mat.hpp"
+
 namespace limpet {
 namespace {
 
@@ -30,10 +32,8 @@ cv::Mat LinearOf(ImageView picture) {
     }
     return values;
   }();
-  const cv::Mat bgr(picture.height_px, picture.width_px, CV_8UC3,
-                    const_cast<std::uint8_t*>(picture.bgr));  // OpenCV's Mat is not const
   cv::Mat linear;
-  cv::LUT(bgr, table, linear);
+  cv::LUT(MatOf(picture), table, linear);
   return linear;
 }
 

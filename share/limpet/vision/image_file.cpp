@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "limpet/vision/cut_image.hpp"
+#include "limpet/vision/image_mat.hpp"
 
 namespace limpet {
 namespace {
@@ -46,8 +47,7 @@ Expected<Image> ReadImage(const std::filesystem::path& file) {
 }
 
 std::optional<Error> WriteImage(const std::filesystem::path& file, const Image& image) {
-  const cv::Mat pixels(image.height_px, image.width_px, CV_8UC3,
-                       const_cast<std::uint8_t*>(image.bgr.data()));  // OpenCV's Mat is not const
+  const cv::Mat pixels = MatOf(image.view());
   try {
     if (cv::imwrite(file.string(), pixels)) return std::nullopt;
   } catch (const cv::Exception& exception) {

@@ -4,6 +4,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/vision/image_mat.hpp"
+
 namespace limpet {
 
 /// Where in the pinhole's image each pixel comes from.
@@ -30,8 +32,7 @@ LensImage::LensImage(LensImage&&) noexcept = default;
 LensImage& LensImage::operator=(LensImage&&) noexcept = default;
 
 Image LensImage::Distorted(const Image& pinhole) const {
-  const cv::Mat from(pinhole.height_px, pinhole.width_px, CV_8UC3,
-                     const_cast<std::uint8_t*>(pinhole.bgr.data()));  // OpenCV's Mat is not const
+  const cv::Mat from = MatOf(pinhole.view());
   Image image{map_->places.cols, map_->places.rows, {}};
   image.bgr.resize(3 * map_->places.total());
   cv::Mat to(image.height_px, image.width_px, CV_8UC3, image.bgr.data());
