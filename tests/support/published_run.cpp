@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "estimation/smoothing/factors/border_prior_factor.hpp"
-#include "estimation/smoothing/factors/distance_factor.hpp"
 #include "estimation/smoothing/factors/pose_prior_factor.hpp"
 #include "limpet/core/require.hpp"
 #include "tests/support/batch_solver.hpp"
 #include "tests/support/beacon_start.hpp"
+#include "tests/support/distance_factor.hpp"
 #include "tests/support/planar_factors.hpp"
 
 namespace limpet {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "estimation/smoothing/factors/distance_factor.hpp"
+#include "tests/support/distance_factor.hpp"
 
 #include <gtest/gtest.h>
 
