@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "estimation/change/distance_over_ground.hpp"
+#include "estimation/change/moved_pairs.hpp"
 #include "estimation/change/watched_place.hpp"
-#include "limpet/core/require.hpp"
 
 namespace limpet {
 namespace {
@@ -19,237 +20,186 @@ constexpr double kBelievedFrames = 100.0;
 constexpr double kTentativeIsObject = 0.3;
 constexpr double kTentativeReach = 1.5;
 
-double HorizontalDistance(const ObjectEstimate& a, const ObjectEstimate& b) {
-  return (a.p_W - b.p_W).head<2>().norm();
+/// What all images together say: sun, tilt and ground are not so well known as to be sure.
+constexpr double kMostOfContrast = 6.0;
+
+/// Lambda of a former session that would have seen what it did not.
+constexpr double kNothingThere = -30.0;
+
+/// Often detected, and believed to be none.
+int CountDoubted(const std::vector<Landmark>& landmarks, const std::vector<OpiBelief>& objects) {
+  constexpr int kLeastDetections = 10;  // detections of one object
+  constexpr double kLikely = 0.5;
+  return static_cast<int>(std::ranges::count_if(landmarks, [&](const Landmark& landmark) {
+    const bool is_believed = std::ranges::any_of(objects, [&](const OpiBelief& object) {
+      return object.landmark == landmark.id && object.posterior.present() >= kLikely;
+    });
+    return landmark.detections >= kLeastDetections && !is_believed;
+  }));
 }
 
 }  // namespace
 
 ObjectStatuses::ObjectStatuses(const StatusParams& params, const CameraModel& camera)
     : params_(params),
-      model_{.look = params.LookFrom(camera), .visibilities = VisibilityBelief::Grid()},
+      landmarks_(params.merge_within),
+      watches_({.look = params.LookFrom(camera), .visibilities = VisibilityBelief::Grid()},
+               params.looks),
       water_(params.detection.visibility, params.visibility_spread),
-      former_water_(former_views_.water) {}
+      former_water_(FormerViews{}.water) {}
 
-void ObjectStatuses::AddFrame(ObservedFrame frame) {
-  LIMPET_REQUIRE(frames_.empty() || frame.exposure >= frames_.back().exposure,
-                 "frames out of order");
-  for (std::size_t i = 0; i < frame.boxes.size(); ++i) {
-    for (std::size_t j = i + 1; j < frame.boxes.size(); ++j) {
-      const std::optional<int>&a = frame.boxes[i].landmark, &b = frame.boxes[j].landmark;
-      if (a && b) seen_together_.insert(std::minmax(*a, *b));
-    }
-  }
-  for (auto& [landmark, watch] : landmark_watch_) {
-    watch.See(frame, model_, OwnerForLandmark(landmark));
-  }
-  for (std::optional<PlaceWatch>& watch : former_watch_) {
-    if (watch) watch->See(frame, model_, OwnerForFormer());
-  }
-  tentative_.AddFrame(frame, model_, [this](const ObservedFrame& in, const Box& box) {
-    return Representative(box.landmark) || IsExplained(in, box);
-  });
-  frames_.push_back(std::move(frame));
+void ObjectStatuses::SetFormer(std::vector<FormerObject> former) {
+  // Former objects take the first ids, so that they keep them when they are found again.
+  ids_.Reserve(static_cast<int>(former.size()));
+  ties_.emplace(std::move(former), params_.matching);
+  ties_->Take(landmarks_.objects());
+  watches_.WatchFormer(*ties_, landmarks_);
 }
 
-void ObjectStatuses::MoveFrames(const std::function<Pose(double t, const Pose& X_WB)>& moved) {
-  for (ObservedFrame& frame : frames_) {
-    frame.X_WB = moved(frame.exposure.value(), frame.X_WB);
-  }
-  rejudges_all_ = true;
+void ObjectStatuses::AddFrame(ObservedFrame frame) {
+  landmarks_.NoteSeenTogether(frame);
+  tentative_.AddFrame(frame, watches_.model(), [this](const ObservedFrame& in, const Box& box) {
+    return Representative(box.landmark) || watches_.IsExplained(in, box, landmarks_);
+  });
+  watches_.Add(std::move(frame), landmarks_);
 }
 
 void ObjectStatuses::SetLandmarks(const std::vector<Landmark>& landmarks) {
-  landmarks_ = landmarks;
-  std::ranges::sort(landmarks_, {}, &Landmark::id);
-  const std::map<int, int> before = representative_;
-  MergeLandmarks();
-  if (rejudges_all_) {
-    landmark_watch_.clear();
-  }
-  WatchLandmarks();
-  if (former_) {
-    TakeMatches();
-    // Who owns a box depends on which landmarks there are.
-    WatchFormer(rejudges_all_ || before != representative_);
-  }
-  rejudges_all_ = false;
+  Watch(landmarks_.Set(landmarks));
+}
+
+void ObjectStatuses::Rejudge() {
+  watches_.JudgeAnew(FalseRate());
+  former_sight_.Forget();
+  Watch(false);
+}
+
+void ObjectStatuses::Watch(bool are_owners_new) {
+  if (ties_) ties_->Take(landmarks_.objects());
+  watches_.Watch(landmarks_, ties_ ? &*ties_ : nullptr, are_owners_new);
 }
 
 double ObjectStatuses::FalseRate() const {
   double boxes = kBelievedFrames * params_.detection.false_per_image;
-  for (const ObservedFrame& frame : frames_) {
+  for (const ObservedFrame& frame : frames()) {
     boxes += static_cast<double>(std::ranges::count_if(frame.boxes, [&](const Box& box) {
-      return !Representative(box.landmark) && !IsExplained(frame, box);
+      return !Representative(box.landmark) && !watches_.IsExplained(frame, box, landmarks_);
     }));
   }
-  return boxes / (kBelievedFrames + static_cast<double>(frames_.size()));
-}
-
-void ObjectStatuses::Rejudge() {
-  model_.look.detection.false_per_image = FalseRate();
-  landmark_watch_.clear();
-  newcomer_watch_.clear();
-  WatchLandmarks();
-  if (former_) {
-    TakeMatches();
-    WatchFormer(true);
-  }
-  rejudges_all_ = false;
-}
-
-std::optional<int> ObjectStatuses::Representative(const std::optional<int>& landmark) const {
-  if (!landmark) return std::nullopt;
-  const auto found = representative_.find(*landmark);
-  return found == representative_.end() ? std::nullopt : std::optional(found->second);
+  return boxes / (kBelievedFrames + static_cast<double>(frames().size()));
 }
 
 const Box* ObjectStatuses::BoxOf(const OpiBelief& object, const ObservedFrame& frame) const {
   if (!object.landmark) return nullptr;
-  return FindBox(frame, WatchedPlace(object.object), model_, OwnerForLandmark(*object.landmark));
+  return FindBox(frame, WatchedPlace(object.object), watches_.model(),
+                 PlaceWatches::OwnerFor(*object.landmark, landmarks_));
 }
 
-void ObjectStatuses::Replay(PlaceWatch& watch, const OwnerOf& owner_of) const {
-  for (const ObservedFrame& frame : frames_) {
-    watch.See(frame, model_, owner_of);
-  }
+VisibilityBelief ObjectStatuses::Water() const {
+  VisibilityBelief water(params_.detection.visibility, params_.visibility_spread);
+  water.Add(contrasts_.LogLikelihood(), kMostOfContrast);
+  watches_.Teach(water);
+  return water;
 }
 
-OwnerOf ObjectStatuses::OwnerForLandmark(int landmark) const {
-  return [this, landmark](const ObservedFrame&, const Box& box) {
-    const std::optional<int> owner = Representative(box.landmark);
-    if (!owner) return BoxOwner::kUnknown;
-    return owner == landmark ? BoxOwner::kThisPlace : BoxOwner::kAnotherPlace;
+double ObjectStatuses::FormerLambdaAt(const Landmark& newcomer) {
+  const PlaceWatch& watch = former_sight_.At(newcomer, *ties_);
+  return LambdaIn(former_water_, watch.evidence().Lambda(params_.priors.lookalike), params_.priors);
+}
+
+StatusPosterior ObjectStatuses::PosteriorOfFormer(std::size_t former) const {
+  const double lambda = ties_->former()[former].log_likelihood_ratio;
+  const double sum_of_chances = ties_->SumOfFormer(former);
+  StatusPosterior sum{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
+  const auto add = [&](double former_lambda, const PlaceWatch& watch, double share) {
+    sum.Add(ChangeStatus(former_lambda, watch.evidence(), water_, params_.priors), share);
   };
-}
-
-bool ObjectStatuses::IsExplained(const ObservedFrame& frame, const Box& box) const {
-  return std::ranges::any_of(objects_, [&](const Landmark& object) {
-    const std::optional<Foresight> foresight =
-        Foresee(WatchedPlace(object.object), frame.X_WB, model_);
-    return foresight && foresight->Explains(box, model_.look.camera);
-  });
-}
-
-bool ObjectStatuses::AreOne(const Landmark& a, const Landmark& b) const {
-  const bool are_two_former =
-      a.former.is_decided() && b.former.is_decided() && a.former.id != b.former.id;
-  return !are_two_former && HorizontalDistance(a.object, b.object) < params_.merge_within.value() &&
-         !seen_together_.contains(std::minmax(a.id, b.id));
-}
-
-void ObjectStatuses::MergeLandmarks() {
-  std::vector<const Landmark*> by_detections;
-  for (const Landmark& landmark : landmarks_) {
-    by_detections.push_back(&landmark);
+  for (std::size_t j = 0; j < landmarks_.objects().size(); ++j) {
+    const double share = ties_->Chance(former, j) / std::max(sum_of_chances, 1.0);
+    if (share > 0.0) add(lambda, WatchOf(j), share);
   }
-  std::ranges::stable_sort(
-      by_detections, [](const auto* a, const auto* b) { return a->detections > b->detections; });
-  objects_.clear();
-  representative_.clear();
-  for (const Landmark* landmark : by_detections) {
-    const auto same = std::ranges::find_if(
-        objects_, [&](const Landmark& object) { return AreOne(object, *landmark); });
-    representative_[landmark->id] = same == objects_.end() ? landmark->id : same->id;
-    if (same == objects_.end()) {
-      objects_.push_back(*landmark);
-    } else if (landmark->former.is_decided() || !same->former.is_possible()) {
-      same->former = landmark->former;
-    }
+  const double rest = 1.0 - std::min(sum_of_chances, 1.0);
+  const std::optional<std::size_t> stands_in = ties_->NowOf(former);
+  if (rest > 0.0 && stands_in) {
+    // Moved to where the landmark is, or gone and another one came: that one is there in any case.
+    add(kNothingThere, WatchOf(*stands_in), rest);
+  } else if (const PlaceWatch* watch = watches_.OfFormer(former)) {
+    add(lambda, *watch, rest);
   }
-  std::ranges::sort(objects_, {}, &Landmark::id);
+  return sum;
 }
 
-void ObjectStatuses::WatchLandmarks() {
-  std::erase_if(landmark_watch_,
-                [this](const auto& entry) { return Representative(entry.first) != entry.first; });
-  for (const Landmark& object : objects_) {
-    const auto found = landmark_watch_.find(object.id);
-    const ObjectEstimate place = WatchedPlace(object.object);
-    if (found != landmark_watch_.end() && !HasMoved(found->second, place)) {
-      continue;
-    }
-    PlaceWatch watch(place, params_.looks);
-    Replay(watch, OwnerForLandmark(object.id));
-    landmark_watch_.insert_or_assign(object.id, std::move(watch));
+StatusPosterior ObjectStatuses::PosteriorOfNewcomer(std::size_t object) {
+  const PlaceEvidence now = WatchOf(object).evidence();
+  const auto change_from = [&](double former_lambda) {
+    return ChangeStatus(former_lambda, now, water_, params_.priors);
+  };
+  const StatusPosterior unknown_before = change_from(FormerLambdaAt(landmarks_.objects()[object]));
+  const double known = ties_->SumOfObject(object);
+  if (known <= 0.0) return unknown_before;
+  StatusPosterior sum{.confirmed = 0.0, .removed = 0.0, .appeared = 0.0, .nothing = 0.0};
+  for (std::size_t i = 0; i < ties_->former().size(); ++i) {
+    sum.Add(change_from(ties_->former()[i].log_likelihood_ratio),
+            ties_->Chance(i, object) / std::max(known, 1.0));
   }
+  sum.Add(unknown_before, 1.0 - std::min(known, 1.0));
+  return sum;
 }
 
-int ObjectStatuses::IdOfLandmark(int landmark) {
-  const auto known = id_of_landmark_.find(landmark);
-  if (known != id_of_landmark_.end()) {
-    return known->second;
-  }
-  // A landmark that now stands for another one goes on under that one's id.
-  for (const auto& [other, representative] : representative_) {
-    const auto inherited = id_of_landmark_.find(other);
-    if (representative == landmark && inherited != id_of_landmark_.end()) {
-      return inherited->second;
-    }
-  }
-  id_of_landmark_[landmark] = next_id_;
-  return next_id_++;
+OpiBelief ObjectStatuses::BeliefFrom(const PlaceWatch& watch) const {
+  OpiBelief belief;
+  belief.log_likelihood_ratio =
+      LambdaIn(water_, watch.evidence().Lambda(params_.priors.lookalike), params_.priors);
+  belief.looks = static_cast<int>(std::lround(water_.Expect(watch.looks())));
+  belief.looks_with_box = watch.looks_with_box();
+  return belief;
 }
 
-OpiBelief ObjectStatuses::StatusOfFormer(std::size_t index) const {
-  const FormerObject& former = (*former_)[index];
-  const std::optional<int> now = match_.now_of_former[index];
-  const Landmark* object = now ? &objects_[static_cast<std::size_t>(*now)] : nullptr;
-  const PlaceWatch& watch =
-      object != nullptr ? landmark_watch_.at(object->id) : *former_watch_[index];
-  OpiBelief status{.id = static_cast<int>(index) + 1,
-                   .landmark = object != nullptr ? std::optional(object->id) : std::nullopt,
-                   .former_id = former.id,
-                   .object = object != nullptr ? object->object : FormerPlace(index),
-                   .log_likelihood_ratio = LambdaOf(watch),
-                   .looks = Looks(watch),
-                   .looks_with_box = watch.looks_with_box(),
-                   .posterior = PosteriorOfFormer(index)};
+OpiBelief ObjectStatuses::StatusOfFormer(std::size_t former) const {
+  const std::optional<std::size_t> now = ties_->NowOf(former);
+  OpiBelief status = BeliefFrom(now ? WatchOf(*now) : *watches_.OfFormer(former));
+  status.id = static_cast<int>(former) + 1;
+  status.former_id = ties_->former()[former].id;
+  if (now) status.landmark = landmarks_.objects()[*now].id;
+  status.object = now ? landmarks_.objects()[*now].object : ties_->PlaceNow(former);
+  status.posterior = PosteriorOfFormer(former);
   status.decided = Decide(status.posterior, status.looks, params_.priors);
-  if (status.decided == Status::kConfirmed && object == nullptr) {
+  if (status.decided == Status::kConfirmed && !now) {
     status.decided = Status::kUncertain;  // boxes near by, but the smoother knows no object
   }
   return status;
 }
 
-std::optional<OpiBelief> ObjectStatuses::StatusOfNewcomer(std::size_t index) {
-  const Landmark& object = objects_[index];
-  const PlaceWatch& watch = landmark_watch_.at(object.id);
-  OpiBelief status{.landmark = object.id,
-                   .object = object.object,
-                   .log_likelihood_ratio = LambdaOf(watch),
-                   .looks = Looks(watch),
-                   .looks_with_box = watch.looks_with_box(),
-                   .posterior = former_
-                                    ? PosteriorOfNewcomer(index)
-                                    : DiscoveryStatus(watch.evidence(), water_, params_.priors)};
+std::optional<OpiBelief> ObjectStatuses::StatusOfNewcomer(std::size_t object) {
+  const Landmark& landmark = landmarks_.objects()[object];
+  OpiBelief status = BeliefFrom(WatchOf(object));
+  status.landmark = landmark.id;
+  status.object = landmark.object;
+  status.posterior = ties_ ? PosteriorOfNewcomer(object)
+                           : DiscoveryStatus(WatchOf(object).evidence(), water_, params_.priors);
   status.decided = Decide(status.posterior, status.looks, params_.priors);
-  const bool may_be_former =
-      former_ && match_.chance.col(static_cast<Eigen::Index>(index)).sum() > 0.0;
-  if (status.decided != Status::kNothing && may_be_former) {
+  if (status.decided == Status::kNothing) return std::nullopt;
+  if (ties_ && ties_->SumOfObject(object) > 0.0) {
     status.decided = Status::kUncertain;  // which former object it is, if any, is undecided
   }
-  if (status.decided == Status::kNothing) {
-    return std::nullopt;
-  }
-  status.id = IdOfLandmark(object.id);
+  status.id = ids_.OfLandmark(landmark.id, landmarks_.representatives());
   return status;
 }
 
+bool ObjectStatuses::IsToldOf(const ObjectEstimate& place) const {
+  const auto is_near = [&](const ObjectEstimate& other) {
+    return DistanceOverGround(other, place) < kTentativeReach;
+  };
+  if (std::ranges::any_of(landmarks_.objects(), is_near, &Landmark::object)) return true;
+  for (std::size_t i = 0; ties_ && i < ties_->former().size(); ++i) {
+    if (!ties_->NowOf(i) && is_near(ties_->PlaceNow(i))) return true;
+  }
+  return false;
+}
+
 std::optional<OpiBelief> ObjectStatuses::StatusOfTentative(TentativeObject& tentative) {
-  const bool is_told = std::ranges::any_of(objects_, [&](const Landmark& object) {
-    return HorizontalDistance(object.object, tentative.place) < kTentativeReach;
-  });
-  if (is_told) {
-    return std::nullopt;
-  }
-  for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
-    if (!match_.now_of_former[i] &&
-        HorizontalDistance(FormerPlace(i), tentative.place) < kTentativeReach) {
-      return std::nullopt;
-    }
-  }
-  tentative.id = tentative.id > 0 ? tentative.id : next_id_++;
+  if (IsToldOf(tentative.place)) return std::nullopt;
+  if (tentative.id == 0) tentative.id = ids_.Take();
   return OpiBelief{
       .id = tentative.id,
       .object = tentative.place,
@@ -259,23 +209,19 @@ std::optional<OpiBelief> ObjectStatuses::StatusOfTentative(TentativeObject& tent
 
 std::vector<OpiBelief> ObjectStatuses::Assess() {
   water_ = Water();
-  if (former_) former_water_ = FormerWater();
+  if (ties_) former_water_ = former_sight_.Water(landmarks_.objects(), *ties_, params_.priors);
   std::vector<OpiBelief> objects;
-  std::vector<bool> is_matched(objects_.size(), false);
-  for (std::size_t i = 0; former_ && i < former_->size(); ++i) {
+  for (std::size_t i = 0; ties_ && i < ties_->former().size(); ++i) {
     objects.push_back(StatusOfFormer(i));
-    if (const std::optional<int> now = match_.now_of_former[i]) {
-      is_matched[static_cast<std::size_t>(*now)] = true;
-    }
   }
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
-    if (is_matched[i]) continue;
+  for (std::size_t i = 0; i < landmarks_.objects().size(); ++i) {
+    if (ties_ && ties_->StandsForFormer(i)) continue;
     if (std::optional<OpiBelief> status = StatusOfNewcomer(i)) {
       objects.push_back(std::move(*status));
     }
   }
-  PairMoved(objects);
-  landmarks_doubted_ = CountDoubted(objects);
+  PairMoved(objects, params_.matching.moved_within.value());
+  landmarks_doubted_ = CountDoubted(landmarks_.objects(), objects);
   for (TentativeObject* tentative : tentative_.Open()) {
     if (std::optional<OpiBelief> status = StatusOfTentative(*tentative)) {
       objects.push_back(std::move(*status));

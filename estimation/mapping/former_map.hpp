@@ -2,7 +2,7 @@
 // The former session as a map takes it up; on board and in `limpet change` alike.
 #pragma once
 
-#include "estimation/change/object_statuses.hpp"
+#include "estimation/change/former_sight.hpp"
 #include "estimation/mapping/map_params.hpp"
 #include "limpet/topics/mapping.hpp"
 

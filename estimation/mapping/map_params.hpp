@@ -2,7 +2,7 @@
 #pragma once
 
 #include "estimation/change/frame_gate.hpp"
-#include "estimation/change/object_statuses.hpp"
+#include "estimation/change/status_params.hpp"
 #include "estimation/mapping/dvl_beams.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/params.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What an ObjectStatuses makes of its objects together: which of them are one that has moved, and
-// which of the smoother's it does not have.
+#include "estimation/change/moved_pairs.hpp"
+
 #include <algorithm>
 
-#include "estimation/change/object_statuses.hpp"
+#include "estimation/change/distance_over_ground.hpp"
 #include "estimation/matching/move_hypotheses.hpp"
 
 namespace limpet {
@@ -16,10 +16,6 @@ struct MovedPair {
   OpiBelief* appeared;
 };
 
-double DistanceOverGround(const OpiBelief& a, const OpiBelief& b) {
-  return (a.object.p_W - b.object.p_W).head<2>().norm();
-}
-
 /// That the one is gone, the other came, and both are one.
 double ProbabilityMoved(const OpiBelief& removed, const OpiBelief& appeared, double farthest) {
   return removed.posterior.removed * appeared.posterior.appeared *
@@ -28,13 +24,12 @@ double ProbabilityMoved(const OpiBelief& removed, const OpiBelief& appeared, dou
 
 }  // namespace
 
-void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
-  const double farthest = params_.matching.moved_within.value();
+void PairMoved(std::vector<OpiBelief>& objects, double farthest) {
   std::vector<MovedPair> pairs;
   for (OpiBelief& removed : objects) {
     if (removed.decided != Status::kRemoved) continue;
     for (OpiBelief& other : objects) {
-      const double distance = DistanceOverGround(removed, other);
+      const double distance = DistanceOverGround(removed.object, other.object);
       if (other.decided == Status::kNew && other.object.color == removed.object.color &&
           distance < farthest) {
         pairs.push_back({ProbabilityMoved(removed, other, farthest), distance, &removed, &other});
@@ -54,17 +49,6 @@ void ObjectStatuses::PairMoved(std::vector<OpiBelief>& objects) const {
   std::erase_if(objects, [](const OpiBelief& object) {
     return object.decided == Status::kRemoved && !object.former_id;
   });
-}
-
-int ObjectStatuses::CountDoubted(const std::vector<OpiBelief>& objects) const {
-  constexpr int kLeastDetections = 10;  // detections of one object
-  constexpr double kLikely = 0.5;
-  return static_cast<int>(std::ranges::count_if(objects_, [&](const Landmark& landmark) {
-    const bool is_believed = std::ranges::any_of(objects, [&](const OpiBelief& object) {
-      return object.landmark == landmark.id && object.posterior.present() >= kLikely;
-    });
-    return landmark.detections >= kLeastDetections && !is_believed;
-  }));
 }
 
 }  // namespace limpet
