@@ -21,6 +21,12 @@ double StaysUntil(const TrackShift& shift) {
                                       : (*std::prev(first))[0];
 }
 
+/// In order.
+void LeaveEachOnce(std::vector<std::uint32_t>& pings) {
+  std::ranges::sort(pings);
+  pings.erase(std::unique(pings.begin(), pings.end()), pings.end());
+}
+
 }  // namespace
 
 BeamMap::BeamMap(Meters resolution, const DvlBeams& dvl, std::size_t most_held)
@@ -90,8 +96,7 @@ void BeamMap::NoteTiles(std::uint32_t ping, const Eigen::AlignedBox3d& extent_W)
       known.pings.push_back(ping);
       // A track that moves time and again must not make the list grow.
       if (known.pings.size() > 2 * known.each_once + 1024) {
-        std::ranges::sort(known.pings);
-        known.pings.erase(std::ranges::unique(known.pings).begin(), known.pings.end());
+        LeaveEachOnce(known.pings);
         known.each_once = known.pings.size();
       }
     }
@@ -118,8 +123,7 @@ void BeamMap::Hold(const TileKey& tile) const {
   const auto found = tile_pings_.find(tile);
   if (found == tile_pings_.end()) return;
   std::vector<std::uint32_t> pings = found->second.pings;
-  std::ranges::sort(pings);
-  pings.erase(std::ranges::unique(pings).begin(), pings.end());
+  LeaveEachOnce(pings);
   evidence_.Hold(tile, [&](const BeamEvidence::BeamVisitor& visit) {
     for (const std::uint32_t number : pings) {
       const Ping& ping = pings_[number];

@@ -98,7 +98,7 @@ std::vector<TileKey> FormerGround::Tiles() const {
     tiles.insert(tiles.end(), of_one.begin(), of_one.end());
   }
   std::ranges::sort(tiles);
-  tiles.erase(std::ranges::unique(tiles).begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   return tiles;
 }
 
@@ -157,7 +157,8 @@ const std::vector<FormerGround::Laid>& FormerGround::LaidIn(const TileKey& tile)
   std::ranges::sort(laid_, [](const Laid& a, const Laid& b) {
     return a.key != b.key ? a.key < b.key : a.occupied > b.occupied;
   });
-  laid_.erase(std::ranges::unique(laid_, {}, &Laid::key).begin(), laid_.end());
+  const auto is_same = [](const Laid& a, const Laid& b) { return a.key == b.key; };
+  laid_.erase(std::unique(laid_.begin(), laid_.end(), is_same), laid_.end());
   return laid_;
 }
 

@@ -22,8 +22,7 @@ void SemanticMap::Unpaint(const VoxelKey& key) {
 }
 
 std::optional<Error> SemanticMap::AddFormer(const MapTile& tile) {
-  const std::optional<Error> error = former_.Add(tile);
-  if (error) return error;
+  if (std::optional<Error> error = former_.Add(tile)) return error;
   const std::vector<TileKey> reached = former_.TilesOf(tile.key);
   changed_.insert(reached.begin(), reached.end());
   return std::nullopt;

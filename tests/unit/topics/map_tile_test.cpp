@@ -30,7 +30,7 @@ TEST(MapTile, TakesNothingElseForATile) {
     return TopicCodec<MapTile>::Decode(Binary(first, first + bytes.size()));
   };
   EXPECT_FALSE(decode(""));
-  EXPECT_FALSE(decode("LMT1\1\0\0"));
+  EXPECT_FALSE(decode("LMT1\1"));
   EXPECT_FALSE(decode(std::string("LMT2\0\0\0\0\0\0\0\0", 12)));
   EXPECT_FALSE(decode(std::string("LMT1\0\0\0\0\0\0\0\0no gzip", 19)));
   EXPECT_FALSE(TopicCodec<MapTile>::Decode(Value(std::string("LMT1"))));
