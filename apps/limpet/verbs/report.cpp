@@ -106,6 +106,7 @@ RunDescription Describe(const ReportCommand& command) {
 
 std::vector<SessionRecord> RecordsOf(const ReportSettings& settings, const fs::path& run) {
   std::vector<SessionRecord> records;
+  records.reserve(settings.sessions.size());
   for (const std::string& session : settings.sessions) {
     auto record = RecordFromLog(run / session);
     if (record) {

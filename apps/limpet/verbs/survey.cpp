@@ -159,6 +159,8 @@ class SurveyRun {
     RunFolder folder(command_.out, RunFolder::Use::kNewRun);
     settings_.sessions = KeptSessions(folder, command_);
     std::string former = settings_.sessions.empty() ? "" : settings_.sessions.back();
+    // A record of hours is not to be copied where the next one begins.
+    records_.reserve(settings_.sessions.size() + command_.sessions.size());
     TakeRecordsOf(settings_.sessions, folder);
     folder.MakeRoomFor(command_.sessions, settings_.sessions);
     settings_.sessions.insert(settings_.sessions.end(), command_.sessions.begin(),

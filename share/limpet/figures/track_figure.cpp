@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,8 +35,10 @@ std::vector<Point> PointsOf(const MapAxes& map, const PoseTrack& track) {
 std::map<std::size_t, BidPurpose> PurposesOf(const std::vector<DecisionRecord>& decisions) {
   std::map<std::size_t, BidPurpose> purposes;
   for (std::size_t i = 0; i < decisions.size(); ++i) {
-    if (decisions[i].path.segments.empty() || !decisions[i].bids) continue;
-    if (const auto deciding = DecidingBidOf(*decisions[i].bids)) purposes[i] = deciding->purpose;
+    const DecisionRecord& decision = decisions[i];
+    if (decision.has_way && decision.offer && decision.offer->purpose) {
+      purposes[i] = *decision.offer->purpose;
+    }
   }
   return purposes;
 }
@@ -56,18 +57,12 @@ std::string_view PurposeColor(BidPurpose purpose) {
   return palette::kHalo;
 }
 
-/// The best few options: more lines would hide the track.
-std::span<const BiddenOption> BestOf(const std::vector<BiddenOption>& options) {
-  constexpr std::size_t kDrawn = 3;
-  return std::span(options).first(std::min(options.size(), kDrawn));
-}
-
 void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   for (const DecisionRecord& decision : decisions) {
-    const Point start = map.At(decision.path.north, decision.path.east);
-    if (!decision.bids) continue;
-    for (const BiddenOption& option : BestOf(decision.bids->options)) {
-      const Point end = map.At(option.end[0], option.end[1]);
+    const Point start = map.At(decision.north, decision.east);
+    if (!decision.offer) continue;
+    for (const auto& [north, east] : decision.offer->ends) {
+      const Point end = map.At(north, east);
       map.canvas().Line(start, end, kOption);
       map.canvas().Circle(end, 1.4, {.fill = palette::kMapMuted, .opacity = 0.4});
     }
@@ -89,8 +84,7 @@ void DrawDecision(SvgCanvas& canvas, const Point& at, double radius, BidPurpose 
 void DrawDecisionPoints(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   const double radius = DecisionRadius(map);
   for (const auto& [i, purpose] : PurposesOf(decisions)) {
-    DrawDecision(map.canvas(), map.At(decisions[i].path.north, decisions[i].path.east), radius,
-                 purpose);
+    DrawDecision(map.canvas(), map.At(decisions[i].north, decisions[i].east), radius, purpose);
   }
 }
 

@@ -29,9 +29,9 @@ double WayFlown(const SessionRecord& record, const PoseTrack& track, std::size_t
 std::vector<OptionWins> OptionWinsOf(const SessionRecord& record, const PoseTrack& track) {
   std::map<std::string, OptionWins> by_source;
   for (std::size_t i = 0; i < record.decisions.size(); ++i) {
-    const auto& bids = record.decisions[i].bids;
-    if (!bids || bids->options.empty()) continue;
-    const std::string& source = bids->options.front().source;
+    const auto& offer = record.decisions[i].offer;
+    if (!offer || offer->chosen_source.empty()) continue;
+    const std::string& source = offer->chosen_source;
     OptionWins& wins = by_source[source];
     wins.source = source;
     ++wins.decisions;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <span>
 
 #include "limpet/app/warning_text.hpp"
 #include "limpet/core/config.hpp"
@@ -120,21 +121,23 @@ void CollectGrid(SessionRecord& record, const Message& message) {
 
 // A path and its bids come in either order; the first of the two opens the decision.
 DecisionRecord& DecisionOf(SessionRecord& record, int path_id, const Message& message) {
-  if (record.decisions.empty() || record.decisions.back().path.id != path_id) {
-    record.decisions.push_back({LoggedStamp(message), {}, std::nullopt});
-    record.decisions.back().path.id = path_id;
+  if (record.decisions.empty() || record.decisions.back().path_id != path_id) {
+    record.decisions.push_back({.time = LoggedStamp(message), .path_id = path_id});
   }
   return record.decisions.back();
 }
 
 void CollectPath(SessionRecord& record, const Message& message) {
-  auto path = Read(topics::kHelmPath, message);
-  if (path) DecisionOf(record, path->id, message).path = std::move(*path);
+  const auto path = Read(topics::kHelmPath, message);
+  if (!path) return;
+  DecisionRecord& decision = DecisionOf(record, path->id, message);
+  decision.north = path->north, decision.east = path->east;
+  decision.has_way = !path->segments.empty();
 }
 
 void CollectBids(SessionRecord& record, const Message& message) {
-  auto bids = Read(topics::kHelmBids, message);
-  if (bids) DecisionOf(record, bids->path_id, message).bids = std::move(*bids);
+  const auto bids = Read(topics::kHelmBids, message);
+  if (bids) DecisionOf(record, bids->path_id, message).offer.emplace(*bids);
 }
 
 void CollectPhase(SessionRecord& record, const Message& message) {
@@ -196,6 +199,15 @@ const std::map<std::string, Collector, std::less<>>& Collectors() {
 }
 
 }  // namespace
+
+DecisionRecord::Offer::Offer(const HelmBids& bids) {
+  if (const auto deciding = DecidingBidOf(bids)) purpose = deciding->purpose;
+  if (!bids.options.empty()) chosen_source = bids.options.front().source;
+  for (const BiddenOption& option :
+       std::span(bids.options).first(std::min(bids.options.size(), kBest))) {
+    ends.push_back(option.end);
+  }
+}
 
 void GridRecord::Apply(const GridDelta& delta) {
   if (delta.frame.rows <= 0 || delta.frame.columns <= 0) return;

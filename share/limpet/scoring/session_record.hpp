@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/decision/deciding_bid.hpp"
 #include "limpet/objects/best_chips.hpp"
 #include "limpet/scoring/energy_record.hpp"
 #include "limpet/scoring/pose_track.hpp"
@@ -47,11 +49,24 @@ struct GridRecord {
   [[nodiscard]] double SeenFloor() const;
 };
 
-/// One decision of the helm: the path it chose and what it was offered.
+/// One decision of the helm, as far as a report tells of it: surveys of hours have thousands.
 struct DecisionRecord {
+  /// What the helm was offered.
+  struct Offer {
+    /// The best few options; more lines would hide the track in a figure.
+    static constexpr std::size_t kBest = 3;
+
+    explicit Offer(const HelmBids& bids);
+
+    std::string chosen_source;                  ///< its generator; empty: no option
+    std::optional<BidPurpose> purpose;          ///< of the bid that decided
+    std::vector<std::array<double, 2>> ends{};  ///< of the best options, north and east [m]
+  };
   Seconds time;
-  HelmPath path;
-  std::optional<HelmBids> bids;
+  int path_id = 0;
+  double north = 0.0, east = 0.0;  ///< where the path begins [m]
+  bool has_way = false;            ///< the path leads somewhere
+  std::optional<Offer> offer{};    ///< nothing without bids on record
 };
 
 /// How sure the vehicle was about its objects at one time.

@@ -12,7 +12,7 @@ DecisionRecord DecisionFor(double time, const std::string& source) {
   HelmBids bids;
   bids.options.resize(2);
   bids.options[0].source = source, bids.options[1].source = "loser";
-  return {.time = Seconds(time), .path = {}, .bids = bids};
+  return {.time = Seconds(time), .offer = DecisionRecord::Offer(bids)};
 }
 
 /// Northwards at 0.5 m/s for 200 s.
@@ -45,7 +45,7 @@ TEST(OptionWins, CountNoWayOfTheAscent) {
 
 TEST(OptionWins, PassOverDecisionsWithoutBidsAndSessionsWithoutTrack) {
   SessionRecord record("discovery");
-  record.decisions = {DecisionFor(10.0, "plan"), {.time = Seconds(20.0), .path = {}, .bids = {}}};
+  record.decisions = {DecisionFor(10.0, "plan"), {.time = Seconds(20.0)}};
   const auto wins = OptionWinsOf(record, PoseTrack());
   ASSERT_EQ(wins.size(), 1U);
   EXPECT_EQ(wins[0].decisions, 1);

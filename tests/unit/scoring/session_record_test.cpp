@@ -60,9 +60,25 @@ TEST(SessionRecord, TakesAPathAndItsBidsForOneDecisionInEitherOrder) {
     record.Collect(MessageOf(topics::kHelmBids, 1.0, bids));
     if (!is_path_first) record.Collect(MessageOf(topics::kHelmPath, 1.0, path));
     ASSERT_EQ(record.decisions.size(), 1U);
-    EXPECT_EQ(record.decisions[0].path.purpose, "cover");
-    EXPECT_EQ(record.decisions[0].bids->cause, "arrival");
+    EXPECT_TRUE(record.decisions[0].has_way);
+    EXPECT_TRUE(record.decisions[0].offer.has_value());
   }
+}
+
+TEST(SessionRecord, KeepsOfADecisionWhatAReportTells) {
+  HelmBids bids{.path_id = 7, .cause = "arrival", .considered = 10, .options = {}};
+  for (const double end : {1.0, 2.0, 3.0, 4.0}) {
+    bids.options.push_back(
+        {.source = end == 1.0 ? "beam" : "plan", .end = {end, -end}, .bids = {}});
+  }
+  bids.options[0].bids = {{.behavior = "cover", .bid = {.value = 4.0, .why = {{"useful", 4.0}}}}};
+  bids.options[0].total = 4.0, bids.options[0].rate = 4.0;
+  const DecisionRecord::Offer offer(bids);
+  EXPECT_EQ(offer.chosen_source, "beam");
+  EXPECT_EQ(offer.purpose, BidPurpose::kCover);
+  ASSERT_EQ(offer.ends.size(), DecisionRecord::Offer::kBest);
+  EXPECT_EQ(offer.ends[2], (std::array{3.0, -3.0}));
+  EXPECT_TRUE(DecisionRecord::Offer({}).chosen_source.empty());
 }
 
 TEST(SessionRecord, NotesAPhaseOnceHoweverOftenItIsRepeated) {
