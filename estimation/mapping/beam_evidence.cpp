@@ -58,6 +58,7 @@ void BeamEvidence::Count(const Eigen::Vector3d& origin_W, const Eigen::Vector3d&
     if (tile == nullptr) {
       tile = (tiles_[key] = std::make_unique<Tile>()).get();
       tile->held = std::make_unique<EvidenceTile>(key);
+      held_bytes_ += tile->held->bytes();
     }
     tile->is_changed = true;
     if (tile->held == nullptr) {
@@ -84,6 +85,7 @@ void BeamEvidence::DropUnused() {
 
 void BeamEvidence::Hold(const TileKey& tile, const std::function<void(const BeamVisitor&)>& beams) {
   auto held = std::make_unique<EvidenceTile>(tile);
+  held_bytes_ += held->bytes();
   beams([&](const Eigen::Vector3d& origin_W, const Eigen::Vector3d& end_W) {
     BeamWalk walk = WalkOf(origin_W, end_W);
     bool has_arrived = false;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/mapping/evidence_tile.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace limpet {
 namespace {
 
@@ -17,31 +20,48 @@ std::uint32_t CountLow(std::uint16_t& low, std::uint32_t delta) {
 
 }  // namespace
 
-std::size_t EvidenceTile::BrickHash::operator()(const BrickKey& key) const {
-  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t hash = 0;
-  for (const std::int32_t index : key) {
-    hash = (hash ^ static_cast<std::uint32_t>(index)) * kSpread;
-    hash ^= hash >> 29U;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
 std::size_t EvidenceTile::PlaceInBrick(const VoxelIndex& at) {
   constexpr std::int32_t kInside = kEdge - 1;
   return static_cast<std::size_t>((at[0] & kInside) | (at[1] & kInside) << kBits |
                                   (at[2] & kInside) << (2 * kBits));
 }
 
+const EvidenceTile::Brick* EvidenceTile::Find(const BrickKey& key) const {
+  const Column& column = columns_[ColumnOf(key)];
+  // Unsigned, what lies above the top is far below the last.
+  const auto layer = static_cast<std::uint32_t>(key[2] - column.top);
+  return layer < column.bricks.size() ? column.bricks[layer].get() : nullptr;
+}
+
+EvidenceTile::Brick& EvidenceTile::Make(const BrickKey& key) {
+  Column& column = columns_[ColumnOf(key)];
+  std::vector<std::unique_ptr<Brick>>& bricks = column.bricks;
+  const std::size_t before = bricks.size();
+  if (bricks.empty()) column.top = key[2];
+  if (const std::int32_t above = column.top - key[2]; above > 0) {
+    bricks.resize(before + static_cast<std::size_t>(above));
+    std::rotate(bricks.begin(), bricks.begin() + static_cast<std::ptrdiff_t>(before), bricks.end());
+    column.top = key[2];
+  }
+  const auto layer = static_cast<std::size_t>(key[2] - column.top);
+  if (layer >= bricks.size()) bricks.resize(layer + 1);
+  layers_ += bricks.size() - before;
+  if (bricks[layer] == nullptr) {
+    bricks[layer] = std::make_unique<Brick>();
+    ++bricks_;
+  }
+  return *bricks[layer];
+}
+
 bool EvidenceTile::Count(BeamWalk& walk, std::uint32_t delta) {
   BrickKey key = BrickOf(walk.at());
-  Brick* brick = &bricks_[key];
+  Brick* brick = &Make(key);
   while (true) {
     const VoxelIndex& at = walk.at();
     if (const BrickKey here = BrickOf(at); here != key) {
       if (!IsMine(here)) return false;
       key = here;
-      brick = &bricks_[key];
+      brick = &Make(key);
     }
     const std::size_t voxel = PlaceInBrick(at);
     LowCounts& counts = brick->voxels[voxel];
@@ -79,9 +99,9 @@ VoxelCounts EvidenceTile::CountsOf(const BrickKey& key, const Brick& brick,
 
 VoxelCounts EvidenceTile::At(const VoxelKey& key) const {
   const VoxelIndex at = IndexOf(key);
-  const auto found = bricks_.find(BrickOf(at));
-  return found == bricks_.end() ? VoxelCounts{}
-                                : CountsOf(found->first, found->second, PlaceInBrick(at));
+  const BrickKey brick_key = BrickOf(at);
+  const Brick* brick = Find(brick_key);
+  return brick == nullptr ? VoxelCounts{} : CountsOf(brick_key, *brick, PlaceInBrick(at));
 }
 
 void EvidenceTile::Visit(const BrickKey& key, const Brick& brick, const VoxelVisitor& visit) const {
@@ -100,8 +120,15 @@ void EvidenceTile::Visit(const BrickKey& key, const Brick& brick, const VoxelVis
 }
 
 void EvidenceTile::ForEachKnown(const VoxelVisitor& visit) const {
-  for (const auto& [key, brick] : bricks_) {
-    Visit(key, brick, visit);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Column& column = columns_[i];
+    const auto north = static_cast<std::int32_t>(i / kBricks);
+    const auto east = static_cast<std::int32_t>(i % kBricks);
+    BrickKey key{key_.north * kBricks + north, key_.east * kBricks + east, column.top};
+    for (const std::unique_ptr<Brick>& brick : column.bricks) {
+      if (brick != nullptr) Visit(key, *brick, visit);
+      ++key[2];
+    }
   }
 }
 

@@ -116,7 +116,7 @@ TEST(BeamEvidence, TellsOnceWhichTilesHaveChangedAlsoWhereNothingIsLeft) {
 }
 
 TEST(BeamEvidence, DropsWhatHasNotBeenUsedForLongestAndTakesItUpAgain) {
-  constexpr std::size_t kRoomForOneBeam = 3000;
+  constexpr std::size_t kRoomForOneBeam = 12'000;
   BeamEvidence evidence(kVoxelEdge, kRoomForOneBeam);
   const TileKey first{0, 0}, second{1, 0};
   const Eigen::Vector3d at_first(0.1, 0.1, 3.5), down(0.0, 0.0, 4.0), at_second(14.0, 0.1, 3.5);
