@@ -19,6 +19,7 @@ constexpr double kStepsPerBit = 12.0;
 constexpr int kRim = 40;             // [cells] the map's place is not off by more, as this counts
 constexpr double kSigmaStep = 0.05;  // [m] of absolute sigmas, as kept
 constexpr double kSharpest = 1e-3;   // [m] of a sigma that is taken for none
+constexpr std::uint8_t kSure = 255;  // evidence of which there is no more
 
 /// Evidence of an image that is `z` sigmas of its place inside its edge; the table's step is 1/64.
 class EvidenceTable {
@@ -30,7 +31,7 @@ class EvidenceTable {
       steps_[i] = static_cast<std::uint8_t>(
           std::clamp(std::round(-kStepsPerBit * std::log2(unseen)), 0.0, 255.0));
     }
-    steps_.back() = 255;
+    steps_.back() = kSure;
   }
   [[nodiscard]] std::uint8_t operator()(double z) const {
     if (!(z > -kFarthestSigmas)) return 0;
@@ -205,51 +206,52 @@ int CoverageBelief::Observe(const PlacedView& view, const CameraModel& camera,
                             const SurveyGrid& grid, const Shadows& shadows) {
   if (!(view.altitude > 0.0)) return 0;
   if (!first_t_) first_t_ = view.t;
-  const ViewCone cone(view.X_WB, camera, SurveyGrid::kDiscInset);
+  const Image image{.cone = ViewCone(view.X_WB, camera, SurveyGrid::kDiscInset),
+                    .sigma = view.sigma.beside / std::numbers::sqrt2,
+                    .since = view.t - *first_t_,
+                    .map_sigma = static_cast<std::uint8_t>(
+                        std::clamp(std::round(view.sigma.absolute / kSigmaStep), 0.0, 255.0))};
   const double guessed_down = view.X_WB.p_WB.z() + view.altitude;
   const double blur = kFarthestSigmas * view.sigma.beside / std::numbers::sqrt2;
-  const CellBox box = Wider(cone.CellsBelow(frame_, guessed_down),
+  const CellBox box = Wider(image.cone.CellsBelow(frame_, guessed_down),
                             static_cast<int>(std::min(blur, kSkirt) / frame_.cell_m), frame_);
   for (int row = box.row_min; row <= box.row_max; ++row) {
     for (int column = box.column_min; column <= box.column_max; ++column) {
       const PlanePoint sample = SamplePoint(row, column, grid);
       const double down = Seabed(row, column, grid).value_or(guessed_down);
       const Eigen::Vector3d sample_W{sample.x(), sample.y(), down};
-      if (!shadows.Hide(sample_W)) Add(cone, sample_W, view, {row, column});
+      if (!shadows.Hide(sample_W)) Add(image, sample_W, {row, column});
     }
   }
   return std::max(0, box.row_max - box.row_min + 1) *
          std::max(0, box.column_max - box.column_min + 1);
 }
 
-void CoverageBelief::Add(const ViewCone& cone, const Eigen::Vector3d& sample_W,
-                         const PlacedView& view, const std::array<int, 2>& at) {
-  const double sigma = view.sigma.beside / std::numbers::sqrt2;
-  std::array<std::uint8_t, kLevels> evidence{};
-  bool is_any = false;
-  for (std::size_t level = 0; level < kLevels; ++level) {
-    const double inside = cone.Inside(sample_W, heights_[level], level > 0);
-    const std::uint8_t exactly = inside >= 0.0 ? 255 : 0;
-    evidence[level] = sigma > kSharpest ? kEvidence(inside / sigma) : exactly;
-    is_any = is_any || evidence[level] > 0;
-  }
-  if (!is_any) return;
+void CoverageBelief::Add(const Image& image, const Eigen::Vector3d& sample_W,
+                         const std::array<int, 2>& at) {
+  const auto evidence = [&](std::size_t level) {
+    const double inside = image.cone.Inside(sample_W, heights_[level], level > 0);
+    const std::uint8_t exactly = inside >= 0.0 ? kSure : 0;
+    return image.sigma > kSharpest ? kEvidence(inside / image.sigma) : exactly;
+  };
+  // What is higher is never farther inside.
+  const std::uint8_t of_bottom = evidence(0);
+  if (of_bottom == 0) return;
   Tiles::Tile& tile = cells_.TileAt(at[0], at[1]);
   tile.note.is_due = true;
   Cell& cell = Tiles::CellOf(tile, at[0], at[1]);
-  const double since = view.t - *first_t_;
-  const bool is_new_pass = since - static_cast<double>(cell.last) > kPassGap;
+  const bool is_new_pass = image.since - static_cast<double>(cell.last) > kPassGap;
   for (std::size_t level = 0; level < kLevels; ++level) {
     if (is_new_pass) {
       cell.passes[level] =
           static_cast<std::uint8_t>(std::min(255, cell.passes[level] + cell.pass[level]));
       cell.pass[level] = 0;
     }
-    cell.pass[level] = std::max(cell.pass[level], evidence[level]);
+    if (cell.pass[level] == kSure) continue;
+    cell.pass[level] = std::max(cell.pass[level], level == 0 ? of_bottom : evidence(level));
   }
-  cell.last = static_cast<float>(since);
-  cell.map_sigma = static_cast<std::uint8_t>(
-      std::clamp(std::round(view.sigma.absolute / kSigmaStep), 0.0, 255.0));
+  cell.last = static_cast<float>(image.since);
+  cell.map_sigma = image.map_sigma;
 }
 
 void CoverageBelief::CountAnew() {

@@ -74,8 +74,14 @@ class CoverageBelief {
   using Tiles = TileGrid<Cell, Counted>;
 
   [[nodiscard]] PlanePoint SamplePoint(int row, int column, const SurveyGrid& grid) const;
-  void Add(const ViewCone& cone, const Eigen::Vector3d& sample_W, const PlacedView& view,
-           const std::array<int, 2>& at);
+  /// What all cells of an image have in common.
+  struct Image {
+    ViewCone cone;
+    double sigma = 0.0;          ///< of its place beside the vehicle's way, this image's share [m]
+    double since = 0.0;          ///< taken so long after the first [s]
+    std::uint8_t map_sigma = 0;  ///< as Cell has it
+  };
+  void Add(const Image& image, const Eigen::Vector3d& sample_W, const std::array<int, 2>& at);
   [[nodiscard]] std::optional<double> Seabed(int row, int column, const SurveyGrid& grid) const;
   /// Chance that the cell was seen at each level, in sight in this water.
   [[nodiscard]] Shares SeenAt(int row, int column, const Cell& cell, const SurveyGrid& grid) const;

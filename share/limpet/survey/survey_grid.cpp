@@ -78,15 +78,21 @@ int SurveyGrid::Observe(const Pose& X_WB, double altitude, const CameraModel& ca
   ViewCone cone(X_WB, camera, kDiscInset);
   cone.DrawIn(allowance);
   const double guessed_down = X_WB.p_WB.z() + altitude;
+  const auto highest = static_cast<float>(height_max_);
   const CellBox box = cone.CellsBelow(frame_, guessed_down);
   for (int row = box.row_min; row <= box.row_max; ++row) {
     for (int column = box.column_min; column <= box.column_max; ++column) {
+      const Cell& known = cells_.At(row, column);
+      const bool has_seabed = known.seabed_source != SeabedSource::kNone;
       const PlanePoint place = SamplePoint(row, column);
       const Eigen::Vector3d sample{place.x(), place.y(),
-                                   Seabed(row, column).value_or(guessed_down)};
+                                   has_seabed ? static_cast<double>(known.seabed) : guessed_down};
+      const auto range = static_cast<float>((sample - X_WB.p_WB).norm());
+      // Most cells of an image have been seen as high, and from nearer, by the one before.
+      if (has_seabed && known.seen >= highest && range >= known.closest) continue;
       if (const auto height = cone.SeenHeight(sample); height && !shadows.Hide(sample)) {
         const Place at = PlaceOf(row, column);
-        Approach(at, static_cast<float>((sample - X_WB.p_WB).norm()));
+        Approach(at, range);
         Raise(at, static_cast<float>(std::min(*height, height_max_)),
               static_cast<float>(guessed_down));
       }
