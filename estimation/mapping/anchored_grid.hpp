@@ -23,8 +23,8 @@ namespace limpet {
 /// seen is unseen again.
 class AnchoredGrid {
  public:
-  /// Cells looked at in one tick, about two milliseconds.
-  static constexpr int kWorkPerTick = 150'000;
+  /// Cells looked at in one tick: two to three milliseconds.
+  static constexpr int kWorkPerTick = 70'000;
 
   /// Ground seen, and pings laid, from now on. `beams` outlives this.
   /// `seam_loss`: as SeamAllowance has it.
