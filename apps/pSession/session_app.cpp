@@ -328,7 +328,7 @@ void SessionApp::AddExports(const SessionTiles::Files& tiles, SessionFiles& file
   SessionMap map = tiles.to_write;
   for (const std::string& file : tiles.unchanged) {
     const Expected<std::string> bytes = writer_->ReadLast(file);
-    if (!bytes) return Warn(warnings::kSessionNotSaved, bytes.error().text);
+    if (!bytes) return ReportEvent(events::kExportsLeftOut, bytes.error().text);
     map[file] = *bytes;
   }
   const Expected<OccupiedMap> occupied = OccupiedOf(map);

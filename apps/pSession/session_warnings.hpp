@@ -81,7 +81,7 @@ inline const EventId kExportsLeftOut = DeclareEvent(
     "EXPORTS_LEFT_OUT",
     {.severity = Severity::kNote,
      .reported_by = {"pSession"},
-     .meaning = "The map is too large to be written for other programs on board: the session is "
-                "saved without `export/`."});
+     .meaning = "The map is too large to be written for other programs on board, or what was saved "
+                "of it cannot be read back: the session is saved without `export/`."});
 
 }  // namespace limpet::events
