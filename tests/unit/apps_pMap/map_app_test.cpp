@@ -187,30 +187,30 @@ TEST_F(MapAppTest, SendsItsMapOnRequest) {
   EXPECT_EQ(top->label, VoxelLabel::kNew);
 }
 
-/// A ping a place, each in a tile of its own.
+/// Pings 12.8 m apart are each in a tile of its own.
+PosedBeams PingInTile(int north) {
+  return {.north = 6.4 + 12.8 * north,
+          .east = 6.4,
+          .down = 3.5,
+          .b1 = 4.4,
+          .b2 = {},
+          .b3 = {},
+          .b4 = {},
+          .sd_down = {}};
+}
+
 TEST_F(MapAppTest, TellsOnlyWhatIsOtherInItsMapAndAllOfItOnRequest) {
-  const auto ping_at = [this](double north) {
-    link_.Send(app_, topics::kNavBeams,
-               PosedBeams{.north = north,
-                          .east = 6.4,
-                          .down = 3.5,
-                          .b1 = 4.4,
-                          .b2 = {},
-                          .b3 = {},
-                          .b4 = {},
-                          .sd_down = {}});
-  };
   const auto ask = [this](const Topic<std::string>& topic) {
     link_.published.clear();
     link_.Send(app_, topic, std::string("test"));
     return link_.Count(topics::kMapTile);
   };
   for (int i = 0; i < 3; ++i)
-    ping_at(6.4 + 12.8 * i);
+    link_.Send(app_, topics::kNavBeams, PingInTile(i));
   EXPECT_EQ(ask(topics::kMapSnapshotRequest), 3);
   EXPECT_EQ(link_.Last(topics::kMapTiles)->tiles, 3);
   EXPECT_EQ(ask(topics::kMapSnapshotRequest), 0);
-  ping_at(6.4 + 12.8);
+  link_.Send(app_, topics::kNavBeams, PingInTile(1));
   EXPECT_EQ(ask(topics::kMapSnapshotRequest), 1);
   EXPECT_EQ(link_.Last(topics::kMapTile)->key, (TileKey{1, 0}));
   const MapTileList told = *link_.Last(topics::kMapTiles);
@@ -226,17 +226,8 @@ TEST_F(MapAppTest, TellsOnlyWhatIsOtherInItsMapAndAllOfItOnRequest) {
 
 TEST_F(MapAppTest, TellsALargeMapTickByTick) {
   constexpr int kTiles = MapTeller::kAtOnce + MapTeller::kPerTick + 1;
-  for (int i = 0; i < kTiles; ++i) {
-    link_.Send(app_, topics::kNavBeams,
-               PosedBeams{.north = 6.4 + 12.8 * i,
-                          .east = 6.4,
-                          .down = 3.5,
-                          .b1 = 4.4,
-                          .b2 = {},
-                          .b3 = {},
-                          .b4 = {},
-                          .sd_down = {}});
-  }
+  for (int i = 0; i < kTiles; ++i)
+    link_.Send(app_, topics::kNavBeams, PingInTile(i));
   link_.Send(app_, topics::kMapSnapshotRequest, std::string("test"));
   EXPECT_EQ(link_.Count(topics::kMapTiles), 0);
   for (int i = 0; i < 2; ++i) {
