@@ -13,7 +13,7 @@ constexpr double kLongest = 100.0;
 constexpr double kSeabedTolerance = 0.4;  ///< around the beams' median depth [m]
 constexpr double kDeepestHole = 1.0;      ///< a beam may end this far below the median
 /// On a slope that grows with the beams' spread: up to 37 degrees, as a share of the height.
-constexpr double kSteepest = 0.35;
+constexpr double kSteepestSeabed = 0.35;
 
 Eigen::Vector3d Direction(std::size_t beam, const DvlBeams& dvl) {
   const double azimuth =
@@ -54,7 +54,7 @@ std::vector<BeamEnd> BeamEnds(const Pose& X_WD, const std::array<std::optional<d
     return ends;
   }
   const double median = MedianDepth(ends);
-  const double slope = kSteepest * (median - X_WD.p_WB.z());
+  const double slope = kSteepestSeabed * (median - X_WD.p_WB.z());
   const double highest = median - std::max(tallest_object, slope);
   const double deepest = median + std::max(kDeepestHole, slope);
   std::erase_if(ends, [highest, deepest](const BeamEnd& end) {

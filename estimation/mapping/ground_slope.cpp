@@ -9,7 +9,7 @@ namespace limpet {
 namespace {
 
 /// 30 degrees: what is steeper is no seabed to fly over but a wall.
-constexpr double kSteepest = 0.58;
+constexpr double kSteepestCredible = 0.58;
 /// Of a ping on the slope that is believed: two seconds of pings.
 constexpr double kShare = 0.1;
 
@@ -32,7 +32,7 @@ void GroundSlope::Add(const Pose& X_WD, const std::array<std::optional<double>, 
   }
   const Eigen::Vector2d slope = spread.ldlt().solve(tilt);
   if (!slope.allFinite()) return;
-  const Eigen::Vector2d credible = slope.cwiseMax(-kSteepest).cwiseMin(kSteepest);
+  const Eigen::Vector2d credible = slope.cwiseMax(-kSteepestCredible).cwiseMin(kSteepestCredible);
   slope_ += (is_known_ ? kShare : 1.0) * (credible - slope_);
   below_W_ = mean;
   is_known_ = true;

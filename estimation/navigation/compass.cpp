@@ -10,10 +10,10 @@
 namespace limpet {
 namespace {
 
-constexpr int kLearnEvery = 12;        // headings: a minute
-constexpr double kHuber = 1.345;       // beside iron that is not the vehicle's
-constexpr double kTooLarge = 2.5;      // believed sigmas
-constexpr double kCertainSwing = 3.0;  // sigmas of what is known of it
+constexpr int kHeadingsPerLesson = 12;  // headings: a minute
+constexpr double kHuber = 1.345;        // beside iron that is not the vehicle's
+constexpr double kTooLarge = 2.5;       // believed sigmas
+constexpr double kCertainSwing = 3.0;   // sigmas of what is known of it
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void Compass::Use(double t, double heading, int node) {
   used_t_ = t;
   smoother_->AddTerm(node, Term::OnObservation(CompassFactor(Radians(heading), params_.noise),
                                                *slot_, Loss::Huber(kHuber)));
-  if (++used_ % kLearnEvery == 0) Learn();
+  if (++used_ % kHeadingsPerLesson == 0) Learn();
 }
 
 void Compass::Learn() {

@@ -20,9 +20,9 @@ constexpr double kEndWait = 2.1;            // [s] after a dropout until its end
 constexpr int kEnoughAtEnd = 3;             // velocities
 constexpr std::size_t kMostStretches = 18;  // of a dropout, that its end may still change
 constexpr std::size_t kShareOfStart = 5;
-constexpr double kSurprise = 16.0;    // squared difference over covariance, of two: 1 in 3000
-constexpr double kLeastSigma = 1e-6;  // of what is not in doubt: a prior needs one
-constexpr double kScaleChange = 0.1;  // share of the sigmas, from one period to the next
+constexpr double kSurprisingEnd = 16.0;  // squared difference over covariance, of two: 1 in 3000
+constexpr double kLeastSigma = 1e-6;     // of what is not in doubt: a prior needs one
+constexpr double kScaleChange = 0.1;     // share of the sigmas, from one period to the next
 
 Eigen::Vector3d KeptShares(const BridgeDrift& drift) { return {1.0, 1.0, drift.speed_kept}; }
 
@@ -130,7 +130,7 @@ void OdometryErrors::UseEnd(const BridgeEnd& end) {
   const Eigen::Vector2d surprise = -factor.Evaluate(smoother_.BorderAt(slot), &J);
   const Eigen::Matrix3d known = smoother_.Covariance({slot}).bottomRightCorner<3, 3>();
   const Eigen::Matrix2d expected = J * known * J.transpose() + Eigen::Matrix2d::Identity();
-  if (surprise.dot(expected.inverse() * surprise) > kSurprise) {
+  if (surprise.dot(expected.inverse() * surprise) > kSurprisingEnd) {
     const Eigen::Vector2d change = surprise.cwiseProduct(sigma).cwiseAbs2() /
                                    static_cast<double>(bridge_.size() + kShareOfStart);
     WidenBridge({change.y(), change.y(), change.x()});

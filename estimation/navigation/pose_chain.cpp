@@ -19,10 +19,10 @@ constexpr int kBelieveDepths = 20;  // refused in a row, then taken after all
 constexpr double kLevelSpan = 3.0, kLevelRate = 0.03;  // [s], [m/s] of a vehicle that floats
 constexpr double kScaleStep = 1.05;  // of the fixes' sigma, from which on they are weighed anew
 constexpr double kEarlierScaleStep = 1.25;  // and those of earlier stays, or of a long one
-constexpr std::size_t kLearnEvery = 5, kMostToLearnAnew = 300;  // fixes of a stay
-constexpr double kLongestReckoning = 15.0;                      // [s] that the track reaches back
-constexpr double kDepthGate = 0.7;        // [m] off the predicted depth that is always believed
-constexpr double kDepthGateSigmas = 5.0;  // or so many of its own
+constexpr std::size_t kFixesPerLesson = 5, kMostToLearnAnew = 300;  // fixes of a stay
+constexpr double kLongestReckoning = 15.0;  // [s] that the track reaches back
+constexpr double kDepthGate = 0.7;          // [m] off the predicted depth that is always believed
+constexpr double kDepthGateSigmas = 5.0;    // or so many of its own
 constexpr double kStartDepthSigma = 0.05, kStartTiltSigma = 0.01, kLeastYawSigma = 1e-4;
 constexpr double kUnalignedYawSigma = 0.5;  // [rad] beside a compass, which tells it
 
@@ -213,7 +213,7 @@ void PoseChain::LearnFrom(const HeldFix& held, double since) {
 
 bool PoseChain::WeighAnew() {
   const std::size_t fixes = consensus_.believed().size();
-  if (fixes % kLearnEvery == 0) fix_scale_ = fix_error_.Scale();
+  if (fixes % kFixesPerLesson == 0) fix_scale_ = fix_error_.Scale();
   const double sd = consensus_.believed().back().fix.sd, doubt = consensus_.DoubtVariance();
   const double is = std::hypot(fix_scale_, std::sqrt(doubt) / sd);
   const double was = std::hypot(stay_.scale, std::sqrt(stay_.doubt_variance) / sd);

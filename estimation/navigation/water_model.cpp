@@ -18,7 +18,7 @@ constexpr double kStanding = 0.5;  // share of its usual speed below which a veh
 constexpr double kChange = 0.05;   // [m/s] of what the thrusters make: another stretch of a bridge
 constexpr double kLongStretch = 10.0, kShortStretch = 5.0;  // [s]
 constexpr double kBridgeNoise = 0.01;                       // [m/sqrt(s)]
-constexpr double kSurprise = 9.0;  // squared innovation over covariance, of two: 1 in 90
+constexpr double kSurprisingVelocity = 9.0;  // squared innovation over covariance, of two: 1 in 90
 
 constexpr double kStopped = 0.3, kGoing = 0.7;  // shares of the usual speed
 
@@ -95,7 +95,7 @@ void WaterModel::Add(double t, const Eigen::Vector2d& v_H, const Conduct& conduc
   const Eigen::Vector2d innovation = v_H - H * x_;
   const Eigen::Matrix2d R = Squared(params_.velocity_noise) * Eigen::Matrix2d::Identity();
   Eigen::Matrix2d S = H * P_ * H.transpose() + R;
-  if (!conduct.driven_B && innovation.dot(S.inverse() * innovation) > kSurprise) {
+  if (!conduct.driven_B && innovation.dot(S.inverse() * innovation) > kSurprisingVelocity) {
     // The vehicle changed its way through the water; the water has no thrusters.
     P_(kAhead, kAhead) += Squared(innovation.x());
     P_(kAbeam, kAbeam) += Squared(innovation.y());

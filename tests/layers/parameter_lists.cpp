@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 3> kKnownByHeart{"RotationFromRollPitchYa
 constexpr int kMostInARow = 2;
 
 /// On one line, each blank a single one.
-std::string WithoutComments(const std::string& text) {
+std::string OnOneLine(const std::string& text) {
   static const std::regex kComment("//[^\n]*"), kBlank("\\s+");
   return std::regex_replace(std::regex_replace(text, kComment, " "), kBlank, " ");
 }
@@ -41,7 +41,7 @@ std::vector<std::string> InterchangeableNumbers(const std::vector<SourceFile>& f
   std::vector<std::string> complaints;
   for (const SourceFile& file : files) {
     if (file.path.starts_with("tests/")) continue;
-    const std::string text = WithoutComments(file.text);
+    const std::string text = OnOneLine(file.text);
     for (std::sregex_iterator function(text.begin(), text.end(), kFunction), end; function != end;
          ++function) {
       const std::string name = (*function)[1], parameters = (*function)[2];

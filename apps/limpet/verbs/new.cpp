@@ -55,10 +55,10 @@ struct Kind {
   std::array<const char*, 2> own;  ///< folders that only this kind takes
 };
 constexpr Kind kBehavior{"behavior", "BHV_Template", "BHV_Name", {"behaviors", "missions"}};
-constexpr Kind kApp{"app", "pTemplate", "pName", {"apps", "apps"}};
+constexpr Kind kAppKind{"app", "pTemplate", "pName", {"apps", "apps"}};
 
 const Kind& KindOf(const std::string& word) {
-  for (const Kind* kind : {&kBehavior, &kApp}) {
+  for (const Kind* kind : {&kBehavior, &kAppKind}) {
     if (word == kind->word) {
       return *kind;
     }
@@ -74,8 +74,8 @@ void CheckName(const Kind& kind, const std::string& name) {
       &kind == &kBehavior ? name.starts_with("BHV_") && name.size() > 4 : IsNameOfMoosProcess(name);
   if (!is_word || !has_form) {
     throw UsageError(fmt::format("`{}` is no name for {} {}: {}letters, digits and _, as `{}`",
-                                 OneLine(name, 40), &kind == &kApp ? "an" : "a", kind.word,
-                                 &kind == &kApp ? "p, i or u and a capital letter, then " : "",
+                                 OneLine(name, 40), &kind == &kAppKind ? "an" : "a", kind.word,
+                                 &kind == &kAppKind ? "p, i or u and a capital letter, then " : "",
                                  kind.pattern));
   }
   const bool is_database = name == "LimpetDB" || name == "MOOSDB";
@@ -114,7 +114,7 @@ struct NewFile {
 
 std::vector<NewFile> FilesFor(const Kind& kind, const std::string& name, const fs::path& out) {
   const fs::path from = TemplateFolder();
-  const Kind& other = &kind == &kApp ? kBehavior : kApp;
+  const Kind& other = &kind == &kAppKind ? kBehavior : kAppKind;
   std::vector<NewFile> files;
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     const std::string path = entry.path().lexically_relative(from).string();

@@ -75,14 +75,14 @@ void LaySand(SeabedGround& ground, Random& random) {
   });
 }
 
-struct Stone {
+struct LaidStone {
   double radius, squeeze, turn, lumps;  ///< [m], -, [rad], [rad]
   double flatness;                      ///< height over radius
   Color color;
 };
 
 /// A lumpy dome that lies on whatever is there; nothing where `cover` is none.
-void LayStone(SeabedGround& ground, const Stone& stone, int column, int row) {
+void LayStone(SeabedGround& ground, const LaidStone& stone, int column, int row) {
   const double radius = stone.radius / kTexel;
   const int reach = static_cast<int>(std::ceil(1.3 * radius));
   const double cosine = std::cos(stone.turn);
@@ -123,12 +123,12 @@ void LayGravel(SeabedGround& ground, const Cover& cover, Random& random) {
     const int column = static_cast<int>(random.Index(kSize));
     const int row = static_cast<int>(random.Index(kSize));
     const double share = random.Uniform(0.0, 1.0);
-    const Stone stone{.radius = 0.007 + 0.034 * share * share * share * share,
-                      .squeeze = random.Uniform(0.6, 1.0),
-                      .turn = random.Uniform(0.0, kTurn),
-                      .lumps = random.Uniform(0.0, kTurn),
-                      .flatness = random.Uniform(0.45, 0.8),
-                      .color = StoneColor(random)};
+    const LaidStone stone{.radius = 0.007 + 0.034 * share * share * share * share,
+                          .squeeze = random.Uniform(0.6, 1.0),
+                          .turn = random.Uniform(0.0, kTurn),
+                          .lumps = random.Uniform(0.0, kTurn),
+                          .flatness = random.Uniform(0.45, 0.8),
+                          .color = StoneColor(random)};
     const bool lies = random.Uniform(0.0, 1.0) < cover.At(column, row);
     if (lies) LayStone(ground, stone, column, row);
   }
@@ -141,12 +141,12 @@ void LayBoulders(SeabedGround& ground, const Cover& cover, Random& random) {
     const int column = static_cast<int>(random.Index(kSize));
     const int row = static_cast<int>(random.Index(kSize));
     const double share = random.Uniform(0.0, 1.0);
-    const Stone boulder{.radius = 0.06 + 0.55 * share * share * share,
-                        .squeeze = random.Uniform(0.55, 1.0),
-                        .turn = random.Uniform(0.0, kTurn),
-                        .lumps = random.Uniform(0.0, kTurn),
-                        .flatness = random.Uniform(0.35, 0.7),
-                        .color = Color(0.0F, 0.0F, 0.0F)};
+    const LaidStone boulder{.radius = 0.06 + 0.55 * share * share * share,
+                            .squeeze = random.Uniform(0.55, 1.0),
+                            .turn = random.Uniform(0.0, kTurn),
+                            .lumps = random.Uniform(0.0, kTurn),
+                            .flatness = random.Uniform(0.35, 0.7),
+                            .color = Color(0.0F, 0.0F, 0.0F)};
     if (cover.At(column, row) > 0.5F) LayStone(ground, boulder, column, row);
   }
 }

@@ -10,7 +10,7 @@
 namespace limpet {
 namespace {
 
-constexpr std::size_t kChunkBytes = std::size_t{1} << 20U;
+constexpr std::size_t kReadBytes = std::size_t{1} << 20U;
 constexpr std::size_t kMostLineBytes = std::size_t{128} << 20U;
 constexpr std::size_t kMostExamples = 3;
 
@@ -80,8 +80,8 @@ bool AlogReader::Refill() {
   // What is left of the last chunk moves to the front, and the buffer grows for very long lines.
   buffer_.erase(0, buffer_.size() - pending_.size());
   const std::size_t kept = buffer_.size();
-  buffer_.resize(kept + kChunkBytes);
-  const std::size_t count = file_->Read(buffer_.data() + kept, kChunkBytes);
+  buffer_.resize(kept + kReadBytes);
+  const std::size_t count = file_->Read(buffer_.data() + kept, kReadBytes);
   buffer_.resize(kept + count);
   pending_ = buffer_;
   return count > 0;

@@ -12,8 +12,8 @@
 namespace limpet::internal {
 namespace {
 
-constexpr int kMaxDepth = 100;  // both far beyond any condition a person writes
-constexpr std::size_t kMaxBytes = 4096;
+constexpr int kMaxNesting = 100;  // both far beyond any condition a person writes
+constexpr std::size_t kMaxConditionBytes = 4096;
 
 /// True if the first parenthesis closes at the very end.
 bool IsParenthesised(std::string_view text) {
@@ -44,7 +44,7 @@ std::optional<Error> ParenthesesProblem(std::string_view text) {
   for (const char letter : text) {
     depth += letter == '(' ? 1 : 0;
     depth -= letter == ')' ? 1 : 0;
-    if (depth > kMaxDepth) {
+    if (depth > kMaxNesting) {
       return Error{"nested too deeply"};
     }
     if (depth < 0) {
@@ -161,7 +161,7 @@ Expected<ConditionNode> ParseConnective(std::string_view text, const Operator& o
 }
 
 Expected<ConditionNode> ParseNode(std::string_view text, int depth) {
-  if (depth > kMaxDepth) {
+  if (depth > kMaxNesting) {
     return Error{"nested too deeply"};
   }
   text = WithoutOuterParentheses(text);
@@ -199,8 +199,8 @@ Expected<ConditionNode> ParseConditionNode(std::string_view text) {
   if (Trim(text).empty()) {
     return Error{"is empty"};
   }
-  if (text.size() > kMaxBytes) {
-    return Error{fmt::format("is longer than {} bytes", kMaxBytes)};
+  if (text.size() > kMaxConditionBytes) {
+    return Error{fmt::format("is longer than {} bytes", kMaxConditionBytes)};
   }
   if (auto problem = ParenthesesProblem(text)) {
     return *std::move(problem);

@@ -4,7 +4,7 @@
 namespace limpet {
 namespace {
 
-std::vector<FactTaker> MakeTakers() {
+std::vector<FactTaker> DetectorTakers() {
   std::vector<FactTaker> takers{{"pDetect", "detector", "detector.name"},
                                 {"pNav", "wrong_color_share", "believed.wrong_color"},
                                 {"pNav", "match_color_penalty", "believed.color_penalty"},
@@ -44,7 +44,7 @@ const FactFile& DetectorFacts() {
   static const FactFile kind{.global = kDetectorFileGlobal,
                              .folder = "detectors",
                              .of = "detector",
-                             .takers = MakeTakers()};
+                             .takers = DetectorTakers()};
   return kind;
 }
 

@@ -4,7 +4,7 @@
 namespace limpet {
 namespace {
 
-std::vector<FactTaker> MakeTakers() {
+std::vector<FactTaker> VehicleTakers() {
   std::vector<FactTaker> takers;
   for (const char* owner : {"pHelm", "pMap", "pNav", "uSimCamera"}) {
     takers.push_back({owner, "camera_fov_across_deg", "camera.fov_across_deg"});
@@ -43,7 +43,7 @@ const FactFile& VehicleFacts() {
   static const FactFile kind{.global = kVehicleFileGlobal,
                              .folder = "vehicles",
                              .of = "vehicle",
-                             .takers = MakeTakers(),
+                             .takers = VehicleTakers(),
                              .has_reader = true};
   return kind;
 }

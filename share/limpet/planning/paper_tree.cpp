@@ -12,7 +12,7 @@ namespace {
 /// A shorter motion is none [m].
 constexpr double kShortestEdge = 1.0;
 
-struct View {
+struct TracedView {
   DubinsPath edge;  ///< from the parent; its end is the view
   int parent = 0;   ///< of the first view, the root, nobody asks
 };
@@ -60,11 +60,11 @@ class Tree {
   }
 
  private:
-  [[nodiscard]] const View& At(int i) const { return views_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const TracedView& At(int i) const { return views_[static_cast<std::size_t>(i)]; }
 
   const Region& region_;
   Meters turn_radius_;
-  std::vector<View> views_;
+  std::vector<TracedView> views_;
 };
 
 }  // namespace

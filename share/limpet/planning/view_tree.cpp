@@ -11,7 +11,7 @@
 namespace limpet {
 namespace {
 
-struct View {
+struct TreeView {
   DubinsPath edge;                             ///< from the parent; its end is the view
   int parent = 0;                              ///< of the first view, the root, nobody asks
   double value = 0.0;                          ///< objective of the whole branch up to here [m]
@@ -28,7 +28,7 @@ class Tree {
         params_(params),
         workspace_(ground),
         valuer_(objective, ground, start, params.nodes * params.max_edge.value()) {
-    View root;
+    TreeView root;
     root.edge = DubinsPath(start);
     views_.push_back(std::move(root));
   }
@@ -70,8 +70,8 @@ class Tree {
 
  private:
   [[nodiscard]] int Size() const { return static_cast<int>(views_.size()); }
-  [[nodiscard]] const View& At(int i) const { return views_[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] View& At(int i) { return views_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const TreeView& At(int i) const { return views_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] TreeView& At(int i) { return views_[static_cast<std::size_t>(i)]; }
 
   /// Root excluded, first view first.
   [[nodiscard]] std::vector<int> BranchTo(int leaf) const {
@@ -106,7 +106,7 @@ class Tree {
     if (!IsFlyable(edge)) {
       return false;
     }
-    View view;
+    TreeView view;
     view.edge = edge;
     view.parent = nearest;
     views_.push_back(std::move(view));
@@ -129,8 +129,8 @@ class Tree {
       valuer_.Replay(At(view).events);
     }
     const std::size_t changes = workspace_.Mark(), events = valuer_.Mark();
-    View& view = At(index);
-    const View& parent = At(view.parent);
+    TreeView& view = At(index);
+    const TreeView& parent = At(view.parent);
     view.value = parent.value;
     view.length = parent.length;
     Pose2 from = view.edge.start();
@@ -162,7 +162,7 @@ class Tree {
       if (!IsFlyable(edge)) {
         continue;
       }
-      View before = At(near);
+      TreeView before = At(near);
       At(near).edge = std::move(edge);
       At(near).parent = index;
       Evaluate(near);
@@ -187,7 +187,7 @@ class Tree {
   const ViewTreeParams& params_;
   SeenWorkspace workspace_;
   PathValuer valuer_;
-  std::vector<View> views_;
+  std::vector<TreeView> views_;
 };
 
 }  // namespace

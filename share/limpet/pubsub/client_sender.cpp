@@ -14,7 +14,6 @@ namespace limpet {
 namespace {
 
 constexpr double kTimingPeriod = 1.0;  ///< real time [s]
-constexpr std::size_t kPieces = 32;    ///< of one gathering write
 
 }  // namespace
 
@@ -77,12 +76,12 @@ bool ClientSender::Assemble(Seconds now) {
 }
 
 ssize_t ClientSender::SendSome(int descriptor) const {
-  std::array<ByteView, kPieces> pieces;
+  std::array<ByteView, kPiecesPerWrite> pieces;
   const std::size_t filled = packet_.Gather(pieces);
   if (filled == 1) {
     return ::send(descriptor, pieces[0].data(), pieces[0].size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   }
-  std::array<iovec, kPieces> parts{};
+  std::array<iovec, kPiecesPerWrite> parts{};
   for (std::size_t i = 0; i < filled; ++i) {
     parts[i] = {.iov_base = const_cast<std::byte*>(pieces[i].data()),  // sendmsg only reads
                 .iov_len = pieces[i].size()};

@@ -15,6 +15,8 @@ using SharedBytes = std::shared_ptr<const ByteBuffer>;
 
 /// From this size on a message is shared rather than copied [bytes].
 inline constexpr std::size_t kShareFrom = std::size_t{8} << 10;
+/// So many pieces one write to a socket gathers.
+inline constexpr std::size_t kPiecesPerWrite = 32;
 
 /// Encoded messages on their way out, in pieces: small ones copied together into blocks, those of
 /// kShareFrom bytes or more shared. In pieces, so that a long queue neither moves when it grows nor

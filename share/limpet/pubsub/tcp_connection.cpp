@@ -11,7 +11,6 @@
 namespace limpet {
 namespace {
 
-constexpr std::size_t kPieces = 32;  ///< of one gathering write
 /// A hello is a name; nobody has a reason to send more before being known.
 constexpr std::size_t kMaxHello = std::size_t{4} << 10;
 /// An unfinished packet of that size is nobody's concern [bytes].
@@ -167,9 +166,9 @@ void TcpConnection::OnSent(std::size_t bytes) {
 }
 
 bool TcpConnection::Write() {
-  std::array<ByteView, kPieces> pieces;
+  std::array<ByteView, kPiecesPerWrite> pieces;
   while (const std::size_t filled = NextPieces(pieces)) {
-    std::array<asio::const_buffer, kPieces> parts;
+    std::array<asio::const_buffer, kPiecesPerWrite> parts;
     std::ranges::transform(std::span(pieces).first(filled), parts.begin(), [](ByteView piece) {
       return asio::const_buffer(piece.data(), piece.size());
     });

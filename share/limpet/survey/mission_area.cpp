@@ -73,7 +73,7 @@ Expected<SurveyArea, AreaProblem> Rectangle(const SurveyParams& params) {
                     .east_max = params.east_max->value()};
 }
 
-Expected<SurveyArea, AreaProblem> Outlined(const SurveyParams& params) {
+Expected<SurveyArea, AreaProblem> OutlinedArea(const SurveyParams& params) {
   for (const auto& [key, bound] : BoundsOf(params)) {
     if (*bound) {
       return AreaProblem{.key = key,
@@ -133,7 +133,7 @@ Expected<SurveyArea, AreaProblem> FromFile(const SurveyParams& params, const Sit
 /// By the one of the three ways that the mission takes.
 Expected<SurveyArea, AreaProblem> GroundOf(const SurveyParams& params, const SiteGlobals& site) {
   if (params.area_geojson.empty()) {
-    return params.area.empty() ? Rectangle(params) : Outlined(params);
+    return params.area.empty() ? Rectangle(params) : OutlinedArea(params);
   }
   bool is_said_twice = !params.area.empty();
   for (const auto& [key, bound] : BoundsOf(params))

@@ -20,7 +20,7 @@ struct World {
   double noise = 0.0024;
 };
 
-ContrastLog Seen(const World& world, double from, double to, Random& random) {
+ContrastLog LogOf(const World& world, double from, double to, Random& random) {
   ContrastLog log;
   for (double range = from; range >= to; range -= 0.05) {
     const double here = world.close_by * std::exp(random.Normal(world.patch));
@@ -43,13 +43,13 @@ TEST(ContrastLog, NothingSeenSaysNothing) {
 
 TEST(ContrastLog, GroundThatDoesNotStandOutFromFourMetresMeansMurk) {
   Random random(1);
-  const VisibilityEstimate murky = EstimateFrom(Seen({.visibility = 2.0}, 7.0, 4.0, random));
+  const VisibilityEstimate murky = EstimateFrom(LogOf({.visibility = 2.0}, 7.0, 4.0, random));
   EXPECT_LT(murky.visibility.value(), 5.0);
 }
 
 TEST(ContrastLog, GroundThatStandsOutFromFarMeansClearWater) {
   Random random(2);
-  const VisibilityEstimate clear = EstimateFrom(Seen({.visibility = 12.0}, 7.0, 4.0, random));
+  const VisibilityEstimate clear = EstimateFrom(LogOf({.visibility = 12.0}, 7.0, 4.0, random));
   EXPECT_GT(clear.visibility.value(), 7.0);
 }
 
@@ -63,7 +63,7 @@ TEST(ContrastLog, IsAsRightAsItSaysOverManyGroundsAndWaters) {
                       .patch = random.Uniform(0.1, 0.5),
                       .folds = 3.0 * std::exp(random.Normal(0.2)),
                       .noise = 0.0024 * std::exp(random.Normal(0.5))};
-    const VisibilityEstimate said = EstimateFrom(Seen(world, 7.5, 3.5, random));
+    const VisibilityEstimate said = EstimateFrom(LogOf(world, 7.5, 3.5, random));
     const double off = std::log(world.visibility / said.visibility.value());
     squares += std::pow(off / (said.sd / said.visibility), 2) / kWorlds;
   }
@@ -73,7 +73,7 @@ TEST(ContrastLog, IsAsRightAsItSaysOverManyGroundsAndWaters) {
 
 TEST(ContrastLog, OnePlaceLookedAtForHoursIsOneWitness) {
   Random random(4);
-  ContrastLog once = Seen({.visibility = 5.0, .patch = 0.0}, 4.1, 4.05, random);
+  ContrastLog once = LogOf({.visibility = 5.0, .patch = 0.0}, 4.1, 4.05, random);
   ContrastLog often = once;
   for (int i = 0; i < 5000; ++i) {
     often.Add(4.1, {.green = 0.06 * std::exp(-3.0 * 4.1 / 5.0), .noise = 0.0024});

@@ -11,7 +11,7 @@ namespace {
 
 using namespace literals;
 
-Landmark Seen(int id, double north, int detections) {
+Landmark SeenAt(int id, double north, int detections) {
   Landmark landmark{.id = id, .object = {}, .detections = detections};
   landmark.object.p_W.x() = north;
   return landmark;
@@ -26,7 +26,7 @@ std::vector<int> Ids(const MergedLandmarks& landmarks) {
 
 TEST(MergedLandmarks, WhoWasDetectedMostOftenStandsForItsNeighbours) {
   MergedLandmarks landmarks(1.0_m);
-  landmarks.Set({Seen(1, 0.0, 3), Seen(2, 0.6, 9), Seen(3, 1.2, 4), Seen(4, 5.0, 1)});
+  landmarks.Set({SeenAt(1, 0.0, 3), SeenAt(2, 0.6, 9), SeenAt(3, 1.2, 4), SeenAt(4, 5.0, 1)});
   EXPECT_THAT(Ids(landmarks), testing::ElementsAre(2, 4));
   EXPECT_EQ(landmarks.Representative(1), 2);
   EXPECT_EQ(landmarks.Representative(3), 2);
@@ -37,8 +37,8 @@ TEST(MergedLandmarks, WhoWasDetectedMostOftenStandsForItsNeighbours) {
 
 TEST(MergedLandmarks, TheOrderInWhichLandmarksComeMakesNoDifference) {
   MergedLandmarks one(1.0_m), other(1.0_m);
-  one.Set({Seen(1, 0.0, 3), Seen(2, 0.6, 3), Seen(3, 1.2, 3)});
-  other.Set({Seen(3, 1.2, 3), Seen(1, 0.0, 3), Seen(2, 0.6, 3)});
+  one.Set({SeenAt(1, 0.0, 3), SeenAt(2, 0.6, 3), SeenAt(3, 1.2, 3)});
+  other.Set({SeenAt(3, 1.2, 3), SeenAt(1, 0.0, 3), SeenAt(2, 0.6, 3)});
   EXPECT_EQ(Ids(one), Ids(other));
   EXPECT_EQ(one.representatives(), other.representatives());
 }
@@ -49,13 +49,13 @@ TEST(MergedLandmarks, WhatAFrameShowsSideBySideStaysTwo) {
   frame.boxes.resize(3);
   frame.boxes[0].landmark = 2, frame.boxes[2].landmark = 1;
   landmarks.NoteSeenTogether(frame);
-  landmarks.Set({Seen(1, 0.0, 3), Seen(2, 0.6, 9)});
+  landmarks.Set({SeenAt(1, 0.0, 3), SeenAt(2, 0.6, 9)});
   EXPECT_THAT(Ids(landmarks), testing::ElementsAre(1, 2));
 }
 
 TEST(MergedLandmarks, TwoFormerObjectsAreTwoAndAMatchOutlivesAMerger) {
   MergedLandmarks landmarks(1.0_m);
-  Landmark former = Seen(1, 0.0, 3), another = Seen(2, 0.6, 9);
+  Landmark former = SeenAt(1, 0.0, 3), another = SeenAt(2, 0.6, 9);
   former.former.id = 11;
   landmarks.Set({former, another});
   ASSERT_THAT(Ids(landmarks), testing::ElementsAre(2));
@@ -68,10 +68,10 @@ TEST(MergedLandmarks, TwoFormerObjectsAreTwoAndAMatchOutlivesAMerger) {
 
 TEST(MergedLandmarks, SaysWhetherOthersStandForObjectsThanBefore) {
   MergedLandmarks landmarks(1.0_m);
-  EXPECT_TRUE(landmarks.Set({Seen(1, 0.0, 3)}));
-  EXPECT_FALSE(landmarks.Set({Seen(1, 0.2, 4)}));
-  EXPECT_TRUE(landmarks.Set({Seen(1, 0.2, 4), Seen(2, 0.4, 1)}));
-  EXPECT_TRUE(landmarks.Set({Seen(1, 0.2, 4), Seen(2, 0.4, 7)}));
+  EXPECT_TRUE(landmarks.Set({SeenAt(1, 0.0, 3)}));
+  EXPECT_FALSE(landmarks.Set({SeenAt(1, 0.2, 4)}));
+  EXPECT_TRUE(landmarks.Set({SeenAt(1, 0.2, 4), SeenAt(2, 0.4, 1)}));
+  EXPECT_TRUE(landmarks.Set({SeenAt(1, 0.2, 4), SeenAt(2, 0.4, 7)}));
   EXPECT_TRUE(landmarks.Set({}));
 }
 

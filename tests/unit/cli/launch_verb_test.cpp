@@ -35,12 +35,12 @@ void MakeStandIns(const MissionCopy& mission) {
   ::setenv("PATH", (bin.string() + ":" + (path != nullptr ? path : "")).c_str(), 1);
 }
 
-struct Refusal {
+struct RefusedLaunch {
   int exit_code = 0;
   std::string text;
 };
 
-Refusal Launch(const MissionCopy& mission) {
+RefusedLaunch Launch(const MissionCopy& mission) {
   ::testing::internal::CaptureStderr();
   const std::vector<std::string> args{(mission.path() / "mission.moos").string(),
                                       "--run_folder=" + (mission.folder() / "run").string()};
@@ -52,7 +52,7 @@ TEST(LaunchVerb, StartsNothingOfAMissionThatCannotWork) {
   const MissionCopy mission;
   mission.Apply({"mission.bhv", "#include", "#define ALTITUDE 3\n#include"});
   MakeStandIns(mission);
-  const Refusal refusal = Launch(mission);
+  const RefusedLaunch refusal = Launch(mission);
   EXPECT_EQ(refusal.exit_code, kRefused);
   EXPECT_THAT(refusal.text, HasSubstr("altitude_m: the survey altitude is 3 m"));
   EXPECT_FALSE(fs::exists(mission.folder() / "started"));
@@ -63,7 +63,7 @@ TEST(LaunchVerb, StartsNothingOfAMissionThatCannotBeRead) {
   const MissionCopy mission;
   mission.Apply({PlugOf("pSurvey"), "ProcessConfig = pSurvey", "ProcessConfig = pSurvy"});
   MakeStandIns(mission);
-  const Refusal refusal = Launch(mission);
+  const RefusedLaunch refusal = Launch(mission);
   EXPECT_EQ(refusal.exit_code, kUsage);
   EXPECT_THAT(refusal.text, HasSubstr("did you mean `pSurvey`?"));
   EXPECT_FALSE(fs::exists(mission.folder() / "started"));

@@ -6,14 +6,14 @@
 namespace limpet {
 namespace {
 
-constexpr SurveyArea kArea{.north_min = -15.0,
-                           .north_max = 15.0,
-                           .east_min = -18.0,
-                           .east_max = 18.0,
-                           .margin = 2.0,
-                           .object_height_max = 2.0};
+constexpr SurveyArea kGroundArea{.north_min = -15.0,
+                                 .north_max = 15.0,
+                                 .east_min = -18.0,
+                                 .east_max = 18.0,
+                                 .margin = 2.0,
+                                 .object_height_max = 2.0};
 constexpr int kTop = Footprint::kLayers - 1;
-const SurveyHeights kHeights{.altitude = 4.0, .object_height_max = kArea.object_height_max};
+const SurveyHeights kHeights{.altitude = 4.0, .object_height_max = kGroundArea.object_height_max};
 
 Footprint FootprintWith(double reach) { return {kHeights, CameraModel{}, reach}; }
 
@@ -55,7 +55,7 @@ TEST(FootprintInMurk, WhereNothingIsInReachThereIsStillSomethingToDivideBy) {
 }
 
 TEST(GroundInMurk, LayersOutOfReachAreDoneAndTheRestIsOpen) {
-  const SurveyGrid grid(kArea);
+  const SurveyGrid grid(kGroundArea);
   const Ground ground(grid, FootprintWith(3.6));
   const int lowest = ground.footprint().widest_layer();
   EXPECT_EQ(ground.SeenShare(lowest - 1), 1.0);
@@ -63,12 +63,12 @@ TEST(GroundInMurk, LayersOutOfReachAreDoneAndTheRestIsOpen) {
 }
 
 TEST(GroundInMurk, ACellWhoseBottomWasTooFarAwayStaysOpen) {
-  SurveyGrid grid(kArea);
+  SurveyGrid grid(kGroundArea);
   grid.SetReach(4.2);  // the bottom below is 4 m away, the image's corners 4.6 m and more
   grid.Observe(Above(), 4.0, CameraModel{});
   const Ground ground(grid, FootprintWith(4.8));
   const Ground clear_ground = [] {
-    SurveyGrid clear(kArea);
+    SurveyGrid clear(kGroundArea);
     clear.Observe(Above(), 4.0, CameraModel{});
     return Ground(clear, FootprintWith(9.0));
   }();
@@ -77,13 +77,13 @@ TEST(GroundInMurk, ACellWhoseBottomWasTooFarAwayStaysOpen) {
 }
 
 TEST(GroundInMurk, NothingIsLeftToDoWhereNothingIsInReach) {
-  const SurveyGrid grid(kArea);
+  const SurveyGrid grid(kGroundArea);
   const Ground ground(grid, FootprintWith(1.0));
   EXPECT_EQ(ground.SeenShare(), 1.0);
 }
 
 TEST(Ground, NothingIsToBeSeenWhereAnObstacleStands) {
-  SurveyGrid grid(kArea);
+  SurveyGrid grid(kGroundArea);
   grid.Observe(Above(), 4.0, CameraModel{});
   Ground ground(grid, FootprintWith(9.0));
   const double before = ground.SeenShare(0);
