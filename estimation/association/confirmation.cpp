@@ -48,7 +48,7 @@ bool Confirmation::HasQuorum(const TrackedObject& object, const Quorum& quorum) 
            tracks_.now - one.t <= params_.confirm_within_s;
   });
   return recent >= quorum.observations && LogOddsOf(object) >= quorum.log_odds &&
-         object.hits >= params_.confirm_hit_share * object.expected &&
+         object.sightings.hits >= params_.confirm_hit_share * object.sightings.expected &&
          object.tentative().worst_residual <= params_.confirm_residual;
 }
 
@@ -57,9 +57,10 @@ double Confirmation::LogOddsOf(const TrackedObject& object) const {
   const auto observations = static_cast<double>(object.observations.size());
   const double more = std::max(observations - params_.looks_to_confirm, 0.0);
   const double alone = 1.0 + kCorrelation * (params_.looks_to_confirm - 1);
-  const double missed = std::max(object.expected - object.hits, 0);
-  const double seldom = kSeenMoreOften * std::log((1.0 + object.hits) / (1.0 + missed));
-  return object.LogOdds() * alone / (alone + kCorrelation * more) + std::min(seldom, 0.0);
+  const double missed = std::max(object.sightings.expected - object.sightings.hits, 0);
+  const double seldom = kSeenMoreOften * std::log((1.0 + object.sightings.hits) / (1.0 + missed));
+  return object.observations.LogOdds() * alone / (alone + kCorrelation * more) +
+         std::min(seldom, 0.0);
 }
 
 void Confirmation::ConfirmWhatIsDue(const NavVector& x) {

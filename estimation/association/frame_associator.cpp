@@ -61,7 +61,7 @@ FrameAssociator::Reachable FrameAssociator::CollectReachable(const NavVector& x)
   std::vector<int> slots;
   for (const TrackedObject& object : tracks_.objects) {
     const double distance = (object.p_W - x.head<3>()).norm();
-    const bool is_within = distance < object.max_distance + reach &&
+    const bool is_within = distance < object.sightings.max_distance + reach &&
                            tracks_.TakesObservations(object, params_.confirm_within_s);
     reachable.is_reachable.push_back(!object.is_mapped() || is_within);
     if (is_within) slots.push_back(object.slot());
@@ -93,7 +93,7 @@ Eigen::MatrixXd FrameAssociator::Costs(const Viewpoint& from,
     const ExpectedObject expected{
         .p_W = object.p_W,
         .radius = radius * std::exp(object.log_size),
-        .color = object.Color(),
+        .color = object.color(),
         .covariance = CovarianceWith(object, from.path, reachable.joint, row_in_joint),
         .mount_C =
             MountCovariance(from, object.p_W, reachable.joint,
@@ -156,7 +156,7 @@ PoseObjectCovariance FrameAssociator::CovarianceWith(const TrackedObject& object
     covariance.bottomLeftCorner<3, 6>() = joint.block<3, 6>(row, 0);
     return covariance;
   }
-  const double drift = kPoseDriftFloor + params_.drift_share * (path - object.last_path);
+  const double drift = kPoseDriftFloor + params_.drift_share * (path - object.sightings.last_path);
   covariance.bottomRightCorner<3, 3>() =
       object.tentative().covariance_W + drift * drift * Eigen::Matrix3d::Identity();
   covariance(kNavPitch, kNavPitch) = covariance(kNavRoll, kNavRoll) = kTiltVariance;

@@ -32,26 +32,20 @@ constexpr double kOldPlace = 0.5;      // [m] that copies of places may be off o
 std::vector<Observation> LandmarkReview::TakeOutliers(TrackedObject& object) {
   const Eigen::Vector3d p_W = smoother_.BorderAt(object.slot());
   // Old observations are reviewed again once the object has moved.
-  const bool has_moved = !object.reviewed_p_W || (p_W - *object.reviewed_p_W).norm() > kMoved;
+  const bool has_moved = !object.review.p_W || (p_W - *object.review.p_W).norm() > kMoved;
   const auto reviewed_up_to =
       has_moved ? std::nullopt : std::optional(object.last_seen() - kRecent);
-  if (has_moved) object.reviewed_p_W = p_W;
-  const auto fits = [&](const Observation& one) {
+  if (has_moved) object.review.p_W = p_W;
+  return object.observations.TakeIf([&](const Observation& one) {
     if (one.terms.empty() || (reviewed_up_to && one.t < *reviewed_up_to)) {
-      return true;
+      return false;
     }
     const CameraModel camera = mount_.At(one.motion);
     const BoxReading reading =
         OfMeanPlace(one.reading, object.motion_sd, camera, params_.model.radius_m);
     const ReprojectionFactor factor(camera, reading.centre_px, reading.sigma_px);
-    return !(factor.Evaluate(smoother_.PoseAt(one.node), p_W).norm() > params_.outlier_sigma);
-  };
-  const auto bad =
-      std::stable_partition(object.observations.begin(), object.observations.end(), fits);
-  std::vector<Observation> outliers(std::make_move_iterator(bad),
-                                    std::make_move_iterator(object.observations.end()));
-  object.observations.erase(bad, object.observations.end());
-  return outliers;
+    return factor.Evaluate(smoother_.PoseAt(one.node), p_W).norm() > params_.outlier_sigma;
+  });
 }
 
 bool LandmarkReview::NoteMotion(TrackedObject& object) {
@@ -69,11 +63,10 @@ bool LandmarkReview::RemoveOutliers() {
   bool has_changed = false;
   std::vector<TrackedObject> split;
   for (TrackedObject& object : tracks_.objects) {
-    if (!object.is_mapped() || !std::exchange(object.needs_review, false)) continue;
+    if (!object.is_mapped() || !std::exchange(object.review.is_due, false)) continue;
     has_changed = NoteMotion(object) || has_changed;
     std::vector<Observation> outliers = TakeOutliers(object);
     if (outliers.empty()) continue;
-    object.RecountColor();
     rejected_ += static_cast<int>(outliers.size());
     SplitOff(std::move(outliers), object, split);
     has_changed = true;
@@ -96,14 +89,13 @@ void LandmarkReview::SplitOff(std::vector<Observation> outliers, const TrackedOb
       ++end;
     TrackedObject object;
     for (; begin != end; ++begin)
-      object.Add(std::move(*begin));
+      object.observations.Add(std::move(*begin));
     if (static_cast<int>(object.observations.size()) < params_.looks_to_confirm) continue;
     Place(object, smoother_, mount_, params_.model);
     const bool agrees = object.tentative().worst_residual <= params_.confirm_residual;
     if (!agrees || !IsPlaced(object, params_)) continue;
-    object.expected = object.hits = static_cast<int>(object.observations.size());
-    object.max_distance = from.max_distance;
-    object.last_path = from.last_path;
+    object.sightings = from.sightings;
+    object.sightings.CountAgain(object.observations.size());
     object.drift_sd = kSplitDriftSd;
     split.push_back(std::move(object));
   }
@@ -119,7 +111,7 @@ bool LandmarkReview::AreLikelyOne(const TrackedObject& a, const TrackedObject& b
 }
 
 bool LandmarkReview::AreOneThatMoves(const TrackedObject& a, const TrackedObject& b) const {
-  return a.Color() == b.Color() && (a.p_W - b.p_W).head<2>().norm() < kWidestMotion &&
+  return a.color() == b.color() && (a.p_W - b.p_W).head<2>().norm() < kWidestMotion &&
          CountAbsences(a, b, smoother_, mount_) + CountAbsences(b, a, smoother_, mount_) >=
              kAbsences;
 }
@@ -155,8 +147,9 @@ bool LandmarkReview::DoubtDuplicates() {
 bool LandmarkReview::DropFalseLandmarks() {
   bool has_changed = false;
   for (TrackedObject& object : tracks_.objects) {
-    const bool is_false = object.is_untied() && object.expected >= params_.drop_after_expected &&
-                          object.hits < params_.drop_hit_share * object.expected;
+    const bool is_false =
+        object.is_untied() && object.sightings.expected >= params_.drop_after_expected &&
+        object.sightings.hits < params_.drop_hit_share * object.sightings.expected;
     const bool is_empty = object.is_mapped() && object.observations.empty();
     if (!is_false && !is_empty) continue;
     terms_.Remove(object);

@@ -20,7 +20,7 @@ constexpr double kLooksPerSwing = 3.0;
 void LandmarkTerms::Map(TrackedObject& object, const TrackState& as) {
   mount_.Begin(params_.model.size_spread > 0.0);
   const int slot = smoother_.AddLandmark(object.p_W);
-  object.Map(next_id_++, slot, as, sizes_.Take(params_.model.LogSizeOf(object.Color())));
+  object.Map(next_id_++, slot, as, sizes_.Take(params_.model.LogSizeOf(object.color())));
   const int node = object.observations.front().node;
   const BirthplaceFactor hold(object.p_W - smoother_.PoseAt(node).head<3>(),
                               Meters(params_.place_prior_m));
@@ -59,23 +59,21 @@ void LandmarkTerms::RemoveTerms(Observation& observation) {
 }
 
 void LandmarkTerms::MergeTentative(TrackedObject& tentative, TrackedObject& into) {
-  for (std::size_t i = 0; i < tentative.observations.size(); ++i) {
-    AddTerms(into, tentative.observations[i], i == 0);
-    into.Add(std::move(tentative.observations[i]));
+  bool is_first = true;
+  for (Observation& observation : tentative.observations.TakeAll()) {
+    AddTerms(into, observation, std::exchange(is_first, false));
+    into.observations.Add(std::move(observation));
   }
-  tentative.observations.clear();
-  into.needs_review = true;
+  into.review.is_due = true;
   ++tracks_.identity_news;
-  into.expected += tentative.expected;
-  into.hits += tentative.hits;
-  into.last_path = tentative.last_path;
-  into.max_distance = std::max(into.max_distance, tentative.max_distance);
+  into.sightings.Absorb(tentative.sightings);
+  into.sightings.last_path = tentative.sightings.last_path;
 }
 
 void LandmarkTerms::Remove(TrackedObject& object) {
   ReleaseTiedTo(object);
   smoother_.RemoveLandmark(object.slot());
-  object.observations.clear();
+  object.observations.TakeAll();
   object.state = Gone{};
 }
 
@@ -83,8 +81,8 @@ void LandmarkTerms::Tie(TrackedObject& object, TrackedObject& to) {
   smoother_.AddBorderTerm(object.slot(), Term::OnBorder(SamePlaceFactor(Meters(kTieSigma)),
                                                         std::array{object.slot(), to.slot()}));
   object.state = Tied{.to = to.id(), .since = tracks_.now};
-  object.needs_review = to.needs_review = true;
-  to.last_path = std::max(to.last_path, object.last_path);
+  object.review.is_due = to.review.is_due = true;
+  to.sightings.last_path = std::max(to.sightings.last_path, object.sightings.last_path);
 }
 
 void LandmarkTerms::Release(TrackedObject& object) {
@@ -106,17 +104,14 @@ void LandmarkTerms::Absorb(TrackedObject& object) {
     smoother_.RemovePairTerms(other.slot());
     Tie(other, into);
   }
-  for (std::size_t i = 0; i < object.observations.size(); ++i) {
-    Observation& observation = object.observations[i];
+  bool is_first = true;
+  for (Observation& observation : object.observations.TakeAll()) {
     RemoveTerms(observation);
-    AddTerms(into, observation, i == 0);
-    into.Add(std::move(observation));
+    AddTerms(into, observation, std::exchange(is_first, false));
+    into.observations.Add(std::move(observation));
   }
-  std::ranges::stable_sort(into.observations, {}, &Observation::frame);
-  into.expected += object.expected;
-  into.hits += object.hits;
-  into.max_distance = std::max(into.max_distance, object.max_distance);
-  object.observations.clear();
+  into.observations.Sort();
+  into.sightings.Absorb(object.sightings);
   absorbed_slots_.push_back(object.slot());
   object.state = Gone{};
 }

@@ -89,11 +89,12 @@ std::vector<std::optional<int>> ObjectTracker::Process(const Detections& frame,
 void ObjectTracker::AddObservation(TrackedObject& object, Observation observation,
                                    const Viewpoint& from) {
   const bool is_new_pass = observation.t - object.last_seen() > params_.confirm_within_s;
-  object.last_path = from.path;
-  object.max_distance = std::max(
-      object.max_distance, CameraPointOf(mount_.At(from.motion), from.x, object.p_W).p_C.norm());
-  object.needs_review = true;
-  object.Add(std::move(observation));
+  object.sightings.last_path = from.path;
+  object.sightings.max_distance =
+      std::max(object.sightings.max_distance,
+               CameraPointOf(mount_.At(from.motion), from.x, object.p_W).p_C.norm());
+  object.review.is_due = true;
+  object.observations.Add(std::move(observation));
   if (object.is_mapped()) {
     terms_.AddTerms(object, object.observations.back(), is_new_pass);
     tracks_.identity_news += is_new_pass ? 1 : 0;
@@ -104,10 +105,11 @@ void ObjectTracker::AddObservation(TrackedObject& object, Observation observatio
 
 void ObjectTracker::StartTrack(Observation observation, const Viewpoint& from) {
   TrackedObject object;
-  object.last_path = from.path;
-  object.Add(std::move(observation));
+  object.sightings.last_path = from.path;
+  object.observations.Add(std::move(observation));
   Place(object, smoother_, mount_, params_.model);
-  object.max_distance = CameraPointOf(mount_.At(from.motion), from.x, object.p_W).p_C.norm();
+  object.sightings.max_distance =
+      CameraPointOf(mount_.At(from.motion), from.x, object.p_W).p_C.norm();
   tracks_.objects.push_back(std::move(object));
 }
 
@@ -172,7 +174,7 @@ void ObjectTracker::KeepNearAtHand() {
   for (const TrackedObject& object : tracks_.objects) {
     const bool is_near =
         object.is_mapped() &&
-        (object.is_open() || (object.p_W - p_W).norm() < object.max_distance + reach);
+        (object.is_open() || (object.p_W - p_W).norm() < object.sightings.max_distance + reach);
     if (!is_near) continue;
     near.push_back(object.slot());
     if (object.size()) near.push_back(object.size()->slot);

@@ -14,18 +14,18 @@ constexpr double kFalseThere = 0.05;  // share of the image where a false box is
 
 double ClassCost(const TrackedObject& a, const TrackedObject& b, double confused) {
   std::set<std::string> classes;
-  for (const auto& [name, votes] : a.votes())
+  for (const auto& [name, votes] : a.observations.votes())
     classes.insert(name);
-  for (const auto& [name, votes] : b.votes())
+  for (const auto& [name, votes] : b.observations.votes())
     classes.insert(name);
   if (classes.size() < 2) return 0.0;
   // Likelihood of an object's boxes per class, its greatest 1. A detector may take a certain object
   // for another class again and again.
   const double per_vote = std::log((1.0 - confused) / confused);
   const auto likelihood = [&](const TrackedObject& object, const std::string& name) {
-    const auto votes = object.votes().find(name);
-    const double behind =
-        object.votes().at(object.Color()) - (votes == object.votes().end() ? 0.0 : votes->second);
+    const auto votes = object.observations.votes().find(name);
+    const double behind = object.observations.votes().at(object.color()) -
+                          (votes == object.observations.votes().end() ? 0.0 : votes->second);
     return std::exp(-per_vote * std::max(behind, 0.0)) + confused * confused;
   };
   double one = 0.0, all_a = 0.0, all_b = 0.0;

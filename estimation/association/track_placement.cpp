@@ -11,7 +11,8 @@ constexpr double kInTheGround = 1.0;  // [m] of a centre below the seabed where 
 void Locate(TrackedObject& object, const Smoother& smoother, const CameraMount& mount,
             const ObjectModel& model) {
   const Triangulation found = Triangulate(
-      object.observations, [&smoother](int node) { return smoother.PoseAt(node); }, mount, model);
+      object.observations.all(), [&smoother](int node) { return smoother.PoseAt(node); }, mount,
+      model);
   object.p_W = found.p_W;
   object.log_size = found.log_size;
   object.state =
@@ -27,9 +28,8 @@ void Place(TrackedObject& object, const Smoother& smoother, const CameraMount& m
   const Observation& last = object.observations.back();
   if (object.observations.size() > 2 && last.altitude &&
       object.p_W.z() > smoother.PoseAt(last.node)(kNavZ) + *last.altitude + kInTheGround) {
-    object.observations.erase(object.observations.begin());
-    object.expected = object.hits = static_cast<int>(object.observations.size());
-    object.RecountColor();
+    object.observations.RemoveFirst();
+    object.sightings.CountAgain(object.observations.size());
     Locate(object, smoother, mount, model);
   }
 }

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include <Eigen/Core>
 
-#include "estimation/association/box_reading.hpp"
 #include "estimation/association/object_sizes.hpp"
-#include "estimation/smoothing/camera_errors.hpp"
-#include "estimation/smoothing/chain_graph.hpp"
+#include "estimation/association/observation_list.hpp"
 #include "limpet/objects/object_estimate.hpp"
 
 namespace limpet {
-
-/// One box that was taken to show an object.
-struct Observation {
-  int frame = 0;
-  int detection = 0;  ///< index of the box in its frame
-  int node = 0;       ///< pose of the chain at the exposure
-  double t = 0.0;
-  BoxReading reading;
-  std::string color;
-  double confidence = 0.0;
-  BodyMotion motion{};             ///< of the vehicle then
-  std::optional<double> altitude;  ///< of the body origin above the seabed then [m]
-  std::vector<TermId> terms;       ///< of the graph, once the object is in it
-};
 
 /// A track that is not in the smoother: too few boxes agree on it yet.
 struct Tentative {
@@ -58,30 +42,50 @@ struct IdentityVerdict {
   bool is_likely_new = false;  ///< likelier none of the landmarks known before
 };
 
+/// How often a camera that looked its way saw a track, and how it did last.
+struct Sightings {
+  int expected = 0;           ///< frames that should have shown it
+  int hits = 0;               ///< of these, how many did
+  double max_distance = 0.0;  ///< from the camera that it was seen at [m]
+  double last_path = 0.0;     ///< way travelled when last seen [m]
+
+  /// `count` frames showed it, and no other should have.
+  void CountAgain(std::size_t count) { expected = hits = static_cast<int>(count); }
+  /// Takes over what was seen of another track that is the same object.
+  void Absorb(const Sightings& other) {
+    expected += other.expected;
+    hits += other.hits;
+    max_distance = std::max(max_distance, other.max_distance);
+  }
+};
+
+/// When the observations of a track are to be held against its place again.
+struct ReviewState {
+  bool is_due = true;  ///< seen since the last review
+  /// Where it was when all its observations were last reviewed; nothing before that.
+  std::optional<Eigen::Vector3d> p_W;
+};
+
 /// Something that boxes hint at: tentative until enough of them agree, then in the smoother.
 class TrackedObject {
  public:
-  std::vector<Observation> observations;          ///< in order of time
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m], as of the last solution
-  double log_size = 0.0;  ///< natural logarithm of its share of the believed radius, as of then
+  ObservationList observations;
   TrackState state = Tentative{};
-  double last_path = 0.0;     ///< way travelled when last seen [m]
-  double max_distance = 0.0;  ///< from the camera that it was seen at [m]
-  int expected = 0;           ///< frames that should have shown it
-  int hits = 0;               ///< of these, how many did
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m], as of the last solution
+  double log_size = 0.0;   ///< natural logarithm of its share of the believed radius, as of then
   double motion_sd = 0.0;  ///< that it moves about its place, north and east [m]; 0: stands still
+  Sightings sightings;
+  ReviewState review;
   FormerIdentity former;
   double drift_sd = 0.0;  ///< of its distance to landmarks when it came in doubt [m]
   IdentityVerdict verdict;
+
   /// What its own motion adds to the covariance of where it is found [m^2].
   [[nodiscard]] Eigen::Matrix3d MotionCovariance() const {
     // One pass takes a motion along its way for height.
     const Eigen::Vector3d sd(motion_sd, motion_sd, 2.0 * motion_sd);
     return sd.cwiseAbs2().asDiagonal();
   }
-  bool needs_review = true;  ///< seen since the last review
-  /// Where it was when all its observations were last reviewed; nothing before that.
-  std::optional<Eigen::Vector3d> reviewed_p_W;
 
   /// Puts it into the smoother at `slot`, and its size at `size` if that is estimated, under an id
   /// from 1 on that is never used again.
@@ -113,16 +117,10 @@ class TrackedObject {
   /// REQUIRES: it is tentative.
   [[nodiscard]] const Tentative& tentative() const { return std::get<Tentative>(state); }
 
+  /// REQUIRES: it has observations.
   [[nodiscard]] double last_seen() const { return observations.back().t; }
-  /// The class most boxes gave it; the first in the alphabet if equal.
-  [[nodiscard]] const std::string& Color() const { return color_; }
-  /// To be called when observations went or came in numbers; Add counts its own.
-  void RecountColor();
-  void Add(Observation observation);
-  /// Sum of confidences per class.
-  [[nodiscard]] const std::map<std::string, double>& votes() const { return votes_; }
-  /// Sum of ln(c / (1 - c)) over the confidences of its observations.
-  [[nodiscard]] double LogOdds() const;
+  /// The class that its boxes vote for.
+  [[nodiscard]] const std::string& color() const { return observations.color(); }
 
  private:
   struct Mapped {
@@ -130,8 +128,6 @@ class TrackedObject {
     std::optional<SizeSlot> size;
   };
   std::optional<Mapped> mapped_;
-  std::map<std::string, double> votes_;
-  std::string color_;
 };
 
 }  // namespace limpet

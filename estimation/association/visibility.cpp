@@ -15,12 +15,12 @@ constexpr double kMarginShare = 0.12;  // of the image, inside which an object s
 }  // namespace
 
 bool ShouldBeSeen(const TrackedObject& object, const NavVector& x, const CameraModel& camera) {
-  const double reach = object.max_distance + kSlack + camera.p_BC.norm();
+  const double reach = object.sightings.max_distance + kSlack + camera.p_BC.norm();
   if ((object.p_W - x.head<3>()).squaredNorm() > reach * reach) {
     return false;  // most of them, most of the time
   }
   const Eigen::Vector3d p = CameraPointOf(camera, x, object.p_W).p_C;
-  if (p.z() < kNearest || p.norm() > object.max_distance + kSlack) {
+  if (p.z() < kNearest || p.norm() > object.sightings.max_distance + kSlack) {
     return false;
   }
   const double u = (camera.cx + camera.fx * p.x() / p.z()) / camera.width_px;
@@ -38,8 +38,8 @@ void CountVisibility(const Viewpoint& from, const std::vector<std::size_t>& seen
     if (!is_seen && !ShouldBeSeen(object, from.x, camera)) continue;
     if (object.is_mapped() && !tracks.TakesObservations(object, params.confirm_within_s)) continue;
     if (is_seen) {
-      ++object.expected;
-      ++object.hits;
+      ++object.sightings.expected;
+      ++object.sightings.hits;
       continue;
     }
     // What is open and seen now may be this one.
@@ -48,7 +48,7 @@ void CountVisibility(const Viewpoint& from, const std::vector<std::size_t>& seen
       return other.is_open() && (other.p_W - object.p_W).norm() < params.merge_distance_m;
     };
     if (object.is_mapped() && std::ranges::any_of(seen, may_be_it)) continue;
-    ++object.expected;
+    ++object.sightings.expected;
   }
 }
 

@@ -23,7 +23,7 @@ FormerMatching::Present FormerMatching::CollectPresent() {
   const auto add = [&](TrackedObject& object) {
     present.objects.push_back(&object);
     landmarks.slots.push_back(object.slot());
-    landmarks.objects.push_back({.p_W = object.p_W, .color = object.Color()});
+    landmarks.objects.push_back({.p_W = object.p_W, .color = object.color()});
   };
   for (TrackedObject& object : tracker_.objects()) {
     if (object.is_landmark()) add(object);

@@ -289,7 +289,7 @@ std::vector<Landmark> Navigator::Landmarks() const {
         {.id = object->id(),
          .object = {.p_W = smoother_.BorderAt(object->slot()),
                     .cov_W = covariances[landmarks.size()] + object->MotionCovariance(),
-                    .color = object->Color(),
+                    .color = object->color(),
                     .size = tracker_.SizeOf(*object)},
          .detections = static_cast<int>(object->observations.size()),
          .former = object->former});

@@ -50,9 +50,9 @@ TEST_F(ConfirmationTest, TheirConfidencesMustReachTheLogOddsTogether) {
 }
 
 TEST_F(ConfirmationTest, AnObjectShowsInAQuarterOfTheFramesThatShouldShowIt) {
-  ThreeBoxes().expected = 13;
+  ThreeBoxes().sightings.expected = 13;
   EXPECT_FALSE(IsConfirmed());
-  tracks_.objects[0].expected = 12;
+  tracks_.objects[0].sightings.expected = 12;
   EXPECT_TRUE(IsConfirmed());
 }
 
@@ -60,10 +60,10 @@ TEST_F(ConfirmationTest, WhatIsMissedMoreOftenThanSeenMustBeSeenMoreSurely) {
   // Two frames in three do not show it: that costs 1.5 ln(7 / 4).
   const double needed = params_.confirm_log_odds + 1.5 * std::log(7.0 / 4.0);
   const auto of_each = [&](double log_odds) { return 1.0 / (1.0 + std::exp(-log_odds / 3.0)); };
-  ThreeBoxes(of_each(needed - 1e-6)).expected = 9;
+  ThreeBoxes(of_each(needed - 1e-6)).sightings.expected = 9;
   EXPECT_FALSE(IsConfirmed());
   tracks_.objects.clear();
-  ThreeBoxes(of_each(needed + 1e-6)).expected = 9;
+  ThreeBoxes(of_each(needed + 1e-6)).sightings.expected = 9;
   EXPECT_TRUE(IsConfirmed());
 }
 
@@ -139,7 +139,7 @@ TEST_F(ConfirmationTest, TwoBoxesTellAnObjectThatIsKnownThere) {
   Confirm();
   ASSERT_EQ(tracks_.objects.size(), 1U);
   EXPECT_EQ(tracks_.objects[0].observations.size(), 5U);
-  EXPECT_EQ(tracks_.objects[0].hits, 5);
+  EXPECT_EQ(tracks_.objects[0].sightings.hits, 5);
   EXPECT_EQ(CountBoxes(), 5U);
 }
 

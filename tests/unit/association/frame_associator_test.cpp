@@ -33,7 +33,7 @@ class FrameAssociatorTest : public TracksFixture {
     ExpectedObject expected;
     expected.p_W = landmark.p_W;
     expected.radius = params_.model.radius_m * std::exp(landmark.log_size);
-    expected.color = landmark.Color();
+    expected.color = landmark.color();
     expected.covariance = smoother_.Covariance({landmark.slot()});
     const auto match = BoxGate(camera_, params_.gate).Match(candidate.seen, x, expected);
     return match ? match->cost - match->new_cost : 0.0;
@@ -127,9 +127,9 @@ TEST_F(FrameAssociatorTest, AnExpectationOf25PixelsIsGoodForTheSmallestBox) {
   TrackedObject object;
   for (const double ahead : {-0.5, 0.0, 0.5}) {
     const int node = FlyTo(kThere.x() + ahead, kThere.y());
-    object.Add(ObservationOf(small(kThere), camera_, node, node));
+    object.observations.Add(ObservationOf(small(kThere), camera_, node, node));
   }
-  object.max_distance = 4.0;
+  object.sightings.max_distance = 4.0;
   Place(object, smoother_, mount_, params_.model);
   tracks_.objects.push_back(object);
   terms_.Map(tracks_.objects.back(), Confirmed{});
@@ -148,9 +148,9 @@ TEST_F(FrameAssociatorTest, ALandmarkIsNotLookedForFarBeyondWhereItWasEverSeenFr
   TrackedObject& landmark = Mapped(kThere, FlyOver(kThere), Confirmed{});
   FlyTo(4.0, 1.0);  // 3 m above it
   // Three metres more than that, and what the pose may be off.
-  landmark.max_distance = 0.02;
+  landmark.sightings.max_distance = 0.02;
   EXPECT_EQ(KindOf(kThere), Association::Kind::kTrack);
-  landmark.max_distance = -0.3;
+  landmark.sightings.max_distance = -0.3;
   EXPECT_EQ(KindOf(kThere), Association::Kind::kNothing);
 }
 
@@ -163,7 +163,7 @@ TEST_F(FrameAssociatorTest, WhereThePoseIsTooUncertainOneBoxAloneDecidesNothing)
 }
 
 TEST_F(FrameAssociatorTest, ATentativeObjectIsFoundAgainUnlessTheVehicleHasGoneFarSince) {
-  Track(kThere, FlyOver(kThere)).last_path = 10.0;
+  Track(kThere, FlyOver(kThere)).sightings.last_path = 10.0;
   const Eigen::Vector3d off = kThere + Eigen::Vector3d(0.0, 0.15, 0.0);
   EXPECT_EQ(KindOf(off, 10.0), Association::Kind::kTrack);
   // Nearly a metre off is too far at once; after fifty metres it may well be drift.

@@ -126,7 +126,7 @@ TEST_F(IdentityDecisionsTest, AtTheEndATieIsForGood) {
   ASSERT_EQ(tracks_.objects.size(), 1U);
   EXPECT_TRUE(tracks_.objects[0].is_landmark());
   EXPECT_EQ(CountBoxes(), 6U);
-  EXPECT_EQ(tracks_.objects[0].hits, 6);
+  EXPECT_EQ(tracks_.objects[0].sightings.hits, 6);
 }
 
 TEST_F(IdentityDecisionsTest, AtTheEndWhatIsStillInViewIsDecidedAsWell) {
@@ -157,7 +157,7 @@ TEST_F(IdentityDecisionsTest, AWrongTieIsTakenBackWhenItsTrackIsSeenElsewhere) {
     for (TrackedObject* object : {&tracks_.objects[0], &tracks_.objects[1]}) {
       Observation one = See(object->p_W, node);
       terms_.AddTerms(*object, one, false);
-      object->Add(std::move(one));
+      object->observations.Add(std::move(one));
     }
   }
   ++tracks_.identity_news;

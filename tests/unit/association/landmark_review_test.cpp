@@ -27,8 +27,8 @@ class LandmarkReviewTest : public TracksFixture {
   void Mistake(TrackedObject& object, const Eigen::Vector3d& p_W, int node) {
     Observation one = See(p_W, node);
     terms_.AddTerms(object, one, false);
-    object.Add(std::move(one));
-    object.needs_review = true;
+    object.observations.Add(std::move(one));
+    object.review.is_due = true;
     Solve();
   }
   LandmarkReview review_{smoother_, mount_, params_, tracks_, terms_};
@@ -72,9 +72,9 @@ TEST_F(LandmarkReviewTest, WhatWasReviewedIsNotReviewedAgainBeforeItIsSeenAgain)
   TrackedObject& object = LandmarkAt(kOne);
   EXPECT_FALSE(review_.RemoveOutliers());
   Mistake(object, kOne + Eigen::Vector3d(0.0, 1.2, 0.0), 2);
-  object.needs_review = false;
+  object.review.is_due = false;
   EXPECT_FALSE(review_.RemoveOutliers());
-  object.needs_review = true;
+  object.review.is_due = true;
   EXPECT_TRUE(review_.RemoveOutliers());
 }
 
@@ -92,10 +92,10 @@ TEST_P(OldBoxes, AreReviewedAgainOnceTheLandmarkHasMovedTenCentimetres) {
   Observation late = See(kOne, 5);
   late.t = last_seen;
   terms_.AddTerms(object, late, false);
-  object.Add(std::move(late));
+  object.observations.Add(std::move(late));
   Solve();
-  object.reviewed_p_W = object.p_W + Eigen::Vector3d(moved, 0.0, 0.0);
-  object.needs_review = true;
+  object.review.p_W = object.p_W + Eigen::Vector3d(moved, 0.0, 0.0);
+  object.review.is_due = true;
   EXPECT_EQ(review_.RemoveOutliers(), is_found);
 }
 
@@ -121,7 +121,7 @@ TEST_F(LandmarkReviewTest, ALandmarkThatFortyFramesHardlyShowIsGivenUp) {
        {std::tuple(39, 0, true), std::tuple(40, 3, false), std::tuple(40, 4, true),
         std::tuple(100, 9, false), std::tuple(100, 10, true)}) {
     TrackedObject& object = LandmarkAt(kOne);
-    object.expected = expected, object.hits = hits;
+    object.sightings.expected = expected, object.sightings.hits = hits;
     EXPECT_EQ(review_.DropFalseLandmarks(), !stays) << hits << " of " << expected;
     EXPECT_EQ(CountLandmarks(), stays ? 1U : 0U) << hits << " of " << expected;
     tracks_.objects.clear();
@@ -132,7 +132,7 @@ TEST_F(LandmarkReviewTest, ATrackThatIsTakenForAFalseLandmarkIsInDoubtAgain) {
   LandmarkAt(kOne);
   Mapped(kOne, FlyOver(kOne), InDoubt{});
   terms_.Tie(tracks_.objects[1], tracks_.objects[0]);
-  tracks_.objects[0].expected = 100;
+  tracks_.objects[0].sightings.expected = 100;
   EXPECT_TRUE(review_.DropFalseLandmarks());
   ASSERT_EQ(tracks_.objects.size(), 1U);
   EXPECT_TRUE(tracks_.objects[0].Is<InDoubt>());
@@ -211,7 +211,7 @@ TEST_F(LandmarkTermsTest, AnAbsorbedTrackLeavesAllItsBoxesAndCountsAndNothingEls
   tracks_.EraseEmpty();
   ASSERT_EQ(tracks_.objects.size(), 2U);
   EXPECT_EQ(tracks_.objects[0].observations.size(), 6U);
-  EXPECT_EQ(tracks_.objects[0].hits, 6);
+  EXPECT_EQ(tracks_.objects[0].sightings.hits, 6);
   EXPECT_TRUE(std::ranges::is_sorted(tracks_.objects[0].observations, {}, &Observation::frame));
   EXPECT_EQ(CountBoxes(), 9U);
   EXPECT_TRUE(terms_.RemoveAbsorbed(true));
@@ -239,12 +239,12 @@ TEST_F(TrackPlacementTest, AnOldestBoxThatPutsTheObjectIntoTheGroundWasOfSomethi
   for (const int node : nodes) {
     Observation one = See(kOne, node);
     one.altitude = 1.9;  // the object would be 1.1 m below the seabed
-    object.Add(std::move(one));
+    object.observations.Add(std::move(one));
   }
   Place(object, smoother_, mount_, params_.model);
   EXPECT_EQ(object.observations.size(), 2U);
   EXPECT_EQ(object.observations.front().node, nodes[1]);
-  EXPECT_EQ(object.hits, 2);
+  EXPECT_EQ(object.sightings.hits, 2);
 }
 
 TEST_F(TrackPlacementTest, AnObjectOnTheSeabedKeepsItsBoxes) {
@@ -252,7 +252,7 @@ TEST_F(TrackPlacementTest, AnObjectOnTheSeabedKeepsItsBoxes) {
   for (const int node : FlyOver(kOne)) {
     Observation one = See(kOne, node);
     one.altitude = 3.9;
-    object.Add(std::move(one));
+    object.observations.Add(std::move(one));
   }
   Place(object, smoother_, mount_, params_.model);
   EXPECT_EQ(object.observations.size(), 3U);

@@ -33,7 +33,7 @@ TrackedObject ObjectOf(const SeenRow& row) {
     one.frame = box.frame;
     one.color = box.color;
     one.confidence = box.confidence;
-    object.Add(one);
+    object.observations.Add(one);
   }
   return object;
 }

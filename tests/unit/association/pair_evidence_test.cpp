@@ -20,7 +20,7 @@ TrackedObject SeenAs(const std::vector<std::string>& classes, int first = 0,
     one.frame = first++;
     one.color = name;
     one.confidence = confidence;
-    object.Add(one);
+    object.observations.Add(one);
   }
   return object;
 }

@@ -19,7 +19,7 @@ TrackedObject TrackAt(const Eigen::Vector3d& p_W, int id, const TrackState& stat
   object.p_W = p_W;
   Observation one;
   one.t = last_seen;
-  object.Add(one);
+  object.observations.Add(one);
   object.Map(id, id, state);
   return object;
 }

@@ -71,9 +71,9 @@ class TracksFixture : public ::testing::Test {
                        double confidence = 0.85) {
     TrackedObject object;
     for (const int node : nodes)
-      object.Add(See(p_W, node, confidence));
-    object.hits = object.expected = static_cast<int>(nodes.size());
-    object.max_distance = 4.0;
+      object.observations.Add(See(p_W, node, confidence));
+    object.sightings.hits = object.sightings.expected = static_cast<int>(nodes.size());
+    object.sightings.max_distance = 4.0;
     Place(object, smoother_, mount_, params_.model);
     tracks_.objects.push_back(std::move(object));
     return tracks_.objects.back();

@@ -15,10 +15,10 @@ class VisibilityTest : public TracksFixture {
   TrackedObject& At(const Eigen::Vector3d& p_C, const TrackState& state, double last_seen = 0.0) {
     TrackedObject object;
     object.p_W = camera_.R_BC * p_C;
-    object.max_distance = 4.0;
+    object.sightings.max_distance = 4.0;
     Observation one;
     one.t = last_seen;
-    object.Add(one);
+    object.observations.Add(one);
     const int id = static_cast<int>(tracks_.objects.size()) + 1;
     if (!std::holds_alternative<Tentative>(state)) object.Map(id, id, state);
     tracks_.objects.push_back(object);
@@ -32,7 +32,7 @@ class VisibilityTest : public TracksFixture {
     tracks_.objects.clear();
     At(p_C, Confirmed{});
     Count();
-    return tracks_.objects[0].expected == 1;
+    return tracks_.objects[0].sightings.expected == 1;
   }
 };
 
@@ -41,8 +41,8 @@ TEST_F(VisibilityTest, AnObjectThatABoxShowsWasExpectedAndHit) {
   At({9, 9, 3}, Confirmed{});  // out of sight, and seen all the same
   Count({0, 1});
   for (const TrackedObject& object : tracks_.objects) {
-    EXPECT_EQ(object.expected, 1);
-    EXPECT_EQ(object.hits, 1);
+    EXPECT_EQ(object.sightings.expected, 1);
+    EXPECT_EQ(object.sightings.hits, 1);
   }
 }
 
@@ -58,8 +58,8 @@ TEST_F(VisibilityTest, HitsAreNeverMoreThanExpected) {
     Count(seen);
   }
   for (const TrackedObject& object : tracks_.objects) {
-    EXPECT_LE(object.hits, object.expected);
-    EXPECT_GT(object.hits, 0);
+    EXPECT_LE(object.sightings.hits, object.sightings.expected);
+    EXPECT_GT(object.sightings.hits, 0);
   }
 }
 
@@ -94,7 +94,7 @@ TEST_F(VisibilityTest, TheWayTheVehicleHeadsDoesNotMatter) {
     const NavVector x = DrawPose(random);
     tracks_.objects[0].p_W = InWorld(camera_, x, p_C);
     CountVisibility({.x = x}, {}, mount_, params_, tracks_);
-    EXPECT_EQ(tracks_.objects[0].expected, expected ? 2 : 0);
+    EXPECT_EQ(tracks_.objects[0].sightings.expected, expected ? 2 : 0);
   }
 }
 
@@ -103,26 +103,27 @@ TEST_F(VisibilityTest, AFrameOfATiedTracksPassCountsForTheTiedTrackAlone) {
   At({0, 0, 3}, Tied{.to = 1, .since = 0.0}, 50.0);
   tracks_.now = 60.0;
   Count({1});
-  EXPECT_EQ(tracks_.objects[0].expected, 0);
-  EXPECT_EQ(tracks_.objects[1].expected, 1);
+  EXPECT_EQ(tracks_.objects[0].sightings.expected, 0);
+  EXPECT_EQ(tracks_.objects[1].sightings.expected, 1);
   tracks_.now = 90.0;  // that pass is over
   Count();
-  EXPECT_EQ(tracks_.objects[0].expected, 1);
-  EXPECT_EQ(tracks_.objects[1].expected, 1);
+  EXPECT_EQ(tracks_.objects[0].sightings.expected, 1);
+  EXPECT_EQ(tracks_.objects[1].sightings.expected, 1);
 }
 
 TEST_F(VisibilityTest, ALandmarkIsNotMissedWhereWhatMayBeItIsSeen) {
   At({0, 0, 3}, Confirmed{});
   At({params_.merge_distance_m - 0.01, 0, 3}, InDoubt{});
   Count({1});
-  EXPECT_EQ(tracks_.objects[0].expected, 0);
+  EXPECT_EQ(tracks_.objects[0].sightings.expected, 0);
   tracks_.objects[1].p_W = camera_.R_BC * Eigen::Vector3d(params_.merge_distance_m + 0.01, 0, 3);
   Count({1});
-  EXPECT_EQ(tracks_.objects[0].expected, 1);
+  EXPECT_EQ(tracks_.objects[0].sightings.expected, 1);
   tracks_.objects[1].p_W = tracks_.objects[0].p_W;
   tracks_.objects[1].state = Confirmed{};
   Count({1});
-  EXPECT_EQ(tracks_.objects[0].expected, 2) << "a landmark that is decided is not another one";
+  EXPECT_EQ(tracks_.objects[0].sightings.expected, 2)
+      << "a landmark that is decided is not another one";
 }
 
 }  // namespace
