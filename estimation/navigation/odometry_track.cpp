@@ -6,22 +6,17 @@
 
 #include <Eigen/Geometry>
 
-#include "limpet/core/long_ago.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr double kLongestExtrapolation = 0.3;  // [s]
-constexpr double kDropoutAge = 0.5;            // [s] without velocity before it counts as a dropout
-constexpr double kDropoutPeriods = 2.4;        // and so many of the DVL's periods
-constexpr double kOpenEnd = 15.0;         // [s] after a dropout in which its end may be another one
-constexpr double kBridgeEnd = 2.0;        // [s] of velocities that a bridge is held against
-constexpr double kSinkSigma = 0.1;        // [m/s] of how fast the vehicle sinks, by its depths
-constexpr double kTurnMemory = 0.2;       // [s] over which a rate of turning is averaged
-constexpr double kAttitudeGap = 2.0;      // [s] in which the vehicle does not turn away
-constexpr double kUnknownTurnRate = 0.3;  // [rad/s] 1-sigma of a turn that nobody measures
-constexpr double kContestedShare = 0.3;   // 1-sigma of what the track catches up with, as its share
+constexpr double kSinkSigma = 0.1;             // [m/s] of how fast the vehicle sinks, by its depths
+constexpr double kTurnMemory = 0.2;            // [s] over which a rate of turning is averaged
+constexpr double kAttitudeGap = 2.0;           // [s] in which the vehicle does not turn away
+constexpr double kUnknownTurnRate = 0.3;       // [rad/s] 1-sigma of a turn that nobody measures
+constexpr double kContestedShare = 0.3;  // 1-sigma of what the track catches up with, as its share
 constexpr double kAnyYawVariance = M_PI * M_PI / 3.0;  // [rad^2] of a heading that can be any
 
 Eigen::Matrix3d RotationOf(const AttitudeEstimate& a) {
@@ -41,8 +36,8 @@ SilenceVariance VarianceOfSilence(const OdometryParams& params, double seconds) 
 }
 
 double OdometryTrack::UntrustedSilence(double t) const {
-  const double known_t =
-      std::max({accepted_t_.value_or(began_t_), fix_t_.value_or(began_t_), began_t_});
+  const double known_t = std::max(
+      {velocities_.believed_time().value_or(began_t_), fix_t_.value_or(began_t_), began_t_});
   return std::max(t - known_t - params_.bridge_trusted.value(), 0.0);
 }
 
@@ -68,27 +63,25 @@ void OdometryTrack::AddAttitude(const AttitudeEstimate& attitude) {
 }
 
 void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
-  if (rows_ && t <= rows_->newest.t) {
-    return;
-  }
+  if (!velocities_.IsNews(t)) return;
   // A DVL that fell silent is one without lock.
-  if (v_dvl_B && accepted_t_ && t - rows_->newest.t > LongestPause()) {
-    AddVelocity(t - period_.value(), std::nullopt);
+  if (v_dvl_B && velocities_.WasSilentBefore(t)) {
+    AddVelocity(t - velocities_.period(), std::nullopt);
   } else {
-    period_.Note(t);
+    velocities_.NotePeriod(t);
   }
-  const Eigen::Vector3d held_B = rows_ ? rows_->newest.v_B : Eigen::Vector3d::Zero();
-  const VelocityRow newest{.t = t, .v_B = v_dvl_B.value_or(held_B)};
-  rows_ = VelocityRows{.before = accepted_t_ ? rows_->newest : newest, .newest = newest};
+  velocities_.Add(t, v_dvl_B);
   if (v_dvl_B) {
     HoldAgainstBridge(t, *v_dvl_B);
-    accepted_t_ = t;
+    velocities_.BelieveNewest();
     TeachWater(t, *v_dvl_B);
-  } else if (DropoutAge(t) && !is_empty()) {
-    rows_->newest.v_B = BridgedAt(t).value_or(held_B);
+  } else if (const auto bridged_B = BridgedAt(t)) {
+    velocities_.BridgeNewest(*bridged_B);
   }
   // What was held since the last row is integrated again with the interpolated velocity.
-  const auto is_older = [this](const Sample& s) { return s.attitude.t <= rows_->before.t; };
+  const auto is_older = [this](const Sample& s) {
+    return s.attitude.t <= velocities_.previous_time();
+  };
   auto sample = std::ranges::partition_point(samples_, is_older);
   for (; sample != samples_.end(); ++sample) {
     if (sample != samples_.begin()) {
@@ -98,56 +91,36 @@ void OdometryTrack::AddVelocity(double t, const std::optional<Eigen::Vector3d>& 
 }
 
 void OdometryTrack::NoteContested(double t, const Eigen::Vector3d& v_dvl_B) {
-  if (is_empty() || !rows_) return;
+  if (is_empty() || velocities_.empty()) return;
   const Sample sample = SampleAt(t);
   const Eigen::Vector3d off = sample.R_DB * v_dvl_B - LevelVelocity(sample);
-  contested_way_ += (t - rows_->before.t) * off.head<2>();
+  contested_way_ += (t - velocities_.previous_time()) * off.head<2>();
 }
 
 void OdometryTrack::BelieveContested() {
-  if (is_empty()) return;
+  if (is_empty() || velocities_.empty()) return;
   Sample& now = samples_.back();
   now.shift += contested_way_;
   now.p_dvl.head<2>() += contested_way_;
   now.bridge_variance += kContestedShare * kContestedShare * contested_way_.squaredNorm();
   contested_way_.setZero();
-  ReopenBridgeEnd();
+  // What the first velocities after a dropout taught was false.
+  const auto before = bridge_end_.Reopen(velocities_.newest_time(), now.attitude.yaw);
+  if (before) water_ = *before;
 }
 
 void OdometryTrack::ForgetContested() {
   contested_way_.setZero();
-  if (bridge_end_) bridge_end_->is_open = false;
-}
-
-// What the first velocities after a dropout taught was false.
-void OdometryTrack::ReopenBridgeEnd() {
-  if (!bridge_end_ || rows_->newest.t - bridge_end_->t > kOpenEnd) return;
-  water_ = *bridging_;
-  bridge_end_ = BridgeEnd{.t = rows_->newest.t,
-                          .length = bridge_end_->length + rows_->newest.t - bridge_end_->t,
-                          .yaw = samples_.back().attitude.yaw,
-                          .is_open = true};
+  bridge_end_.Close();
 }
 
 void OdometryTrack::HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B) {
   if (is_empty()) return;
   const Sample sample = SampleAt(t);
-  const double yaw = sample.attitude.yaw;
-  // While the last one's end is open, what was refused for a moment is no dropout.
-  const bool is_open = bridge_end_ && bridge_end_->is_open && t - bridge_end_->t <= kOpenEnd;
-  if (const auto age = DropoutAge(t); age && !is_open) {
-    bridging_ = water_;
-    bridge_end_ = BridgeEnd{.t = t, .length = *age, .yaw = yaw};
+  if (const auto age = DropoutAge(t)) {
+    bridge_end_.Begin({.t = t, .length = *age, .yaw = sample.attitude.yaw}, water_);
   }
-  if (!bridge_end_ || t - bridge_end_->t > kBridgeEnd) return;
-  const Conduct conduct = ConductOf(sample);
-  const Eigen::Vector2d bridged = bridging_->VelocityAt(t, conduct);
-  const Eigen::Vector2d measured = (sample.R_DB * v_dvl_B).head<2>();
-  BridgeEnd& end = *bridge_end_;
-  ++end.count;
-  end.off_H += (Eigen::Rotation2Dd(-yaw) * (bridged - measured) - end.off_H) / end.count;
-  const double white = params_.velocity_noise * params_.velocity_noise / end.count;
-  end.variance_H = bridging_->EndVariance(end.length, conduct).array() + white;
+  bridge_end_.Add(t, (sample.R_DB * v_dvl_B).head<2>(), ConductOf(sample));
 }
 
 void OdometryTrack::TeachWater(double t, const Eigen::Vector3d& v_dvl_B) {
@@ -163,17 +136,9 @@ Eigen::Vector3d OdometryTrack::BridgedVelocity(double t, const Conduct& conduct)
 }
 
 std::optional<Eigen::Vector3d> OdometryTrack::BridgedAt(double t) const {
-  if (is_empty() || !accepted_t_ || !DropoutAge(t)) return std::nullopt;
+  if (is_empty() || !velocities_.believed_time() || !DropoutAge(t)) return std::nullopt;
   const Sample sample = SampleAt(t);
   return sample.R_DB.transpose() * BridgedVelocity(t, ConductOf(sample));
-}
-
-Eigen::Vector3d OdometryTrack::VelocityAt(double t) const {
-  if (!rows_) return Eigen::Vector3d::Zero();
-  const auto& [before, newest] = *rows_;
-  if (t >= newest.t || newest.t <= before.t) return newest.v_B;
-  const double share = std::clamp((t - before.t) / (newest.t - before.t), 0.0, 1.0);
-  return before.v_B + share * (newest.v_B - before.v_B);
 }
 
 Conduct OdometryTrack::ConductAt(double t) const {
@@ -188,18 +153,9 @@ Conduct OdometryTrack::ConductOf(const Sample& sample) const {
           .driven_B = driven_.At(sample.attitude.t)};
 }
 
-std::optional<double> OdometryTrack::DropoutAge(double t) const {
-  const double age = t - accepted_t_.value_or(kLongAgo);
-  return age > LongestPause() ? std::optional<double>(age) : std::nullopt;
-}
-
-double OdometryTrack::LongestPause() const {
-  return std::max(kDropoutAge, kDropoutPeriods * period_.value());
-}
-
 Eigen::Vector3d OdometryTrack::LevelVelocity(const Sample& sample) const {
   const double t = sample.attitude.t;
-  if (!DropoutAge(t)) return sample.R_DB * VelocityAt(t);
+  if (!DropoutAge(t)) return sample.R_DB * velocities_.At(t);
   return BridgedVelocity(t, ConductOf(sample));
 }
 
@@ -212,7 +168,7 @@ void OdometryTrack::Integrate(const Sample& from, Sample& to) const {
   to.bridge_variance =
       from.bridge_variance + kContestedShare * kContestedShare * to.shift.squaredNorm();
   auto age = DropoutAge(to.attitude.t);
-  if (!age && dt > LongestPause()) age = dt;  // the attitude itself was away
+  if (!age && dt > velocities_.LongestPause()) age = dt;  // the attitude itself was away
   if (age) {
     const double correlated = std::min(*age, params_.bridge_correlation.value());
     to.bridge_variance += 2.0 * water_.VarianceAt(to.attitude.t, ConductOf(to)) * correlated * dt;
@@ -323,7 +279,7 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
   step.path = b.path - a.path;
 
   const double white =
-      params_.velocity_noise * params_.velocity_noise * period_.value() * step.duration;
+      params_.velocity_noise * params_.velocity_noise * velocities_.period() * step.duration;
   const double scale_sigma =
       params_.changing_share * std::hypot(params_.scale_sigma, params_.misalign_sigma);
   const double scale = scale_sigma * scale_sigma * params_.scale_correlation.value() * step.path;

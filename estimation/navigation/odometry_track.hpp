@@ -10,8 +10,9 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/bridge_end.hpp"
 #include "estimation/navigation/driven_speed.hpp"
-#include "estimation/navigation/sample_period.hpp"
+#include "estimation/navigation/dvl_velocities.hpp"
 #include "estimation/navigation/untold_stop.hpp"
 #include "estimation/navigation/water_model.hpp"
 #include "limpet/core/frames.hpp"
@@ -60,18 +61,6 @@ struct SilenceVariance {
 };
 [[nodiscard]] SilenceVariance VarianceOfSilence(const OdometryParams& params, double seconds);
 
-/// The first velocities after a dropout beside those that would still bridge it.
-struct BridgeEnd {
-  double t = 0.0;       ///< of the first of them [s]
-  double length = 0.0;  ///< of the dropout [s]
-  Eigen::Vector2d off_H =
-      Eigen::Vector2d::Zero();  ///< bridged less measured, ahead and abeam, mean
-  Eigen::Vector2d variance_H = Eigen::Vector2d::Zero();
-  double yaw = 0.0;  ///< of the vehicle at the first [rad]
-  int count = 0;
-  bool is_open = false;  ///< they may yet turn out to be false
-};
-
 /// Body pose in the track's own drifting frame, oriented by the attitude filter's yaw.
 struct TrackPose {
   double t = 0.0;
@@ -83,16 +72,16 @@ struct TrackPose {
 };
 
 /// Compounds attitude and velocity samples, each in time order, and answers for any time of the
-/// last seconds. The velocity between two samples is their linear interpolation; after the last one
-/// it is held. A missing velocity is bridged by what the vehicle did in the water and the water
+/// last seconds. A missing velocity is bridged by what the vehicle did in the water and the water
 /// itself. The vertical part is then the sink rate, if known.
 class OdometryTrack {
  public:
   explicit OdometryTrack(const OdometryParams& params)
       : params_(params),
-        period_(params.velocity_period.value()),
+        velocities_(params.velocity_period),
         water_(params.water, params.dvl_B.x()),
-        driven_(params.drive) {}
+        driven_(params.drive),
+        bridge_end_(params.velocity_noise) {}
 
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Velocity of the DVL in body axes [m/s] at `t`; nothing when the DVL had no lock or lied.
@@ -123,18 +112,19 @@ class OdometryTrack {
   [[nodiscard]] double last_time() const { return samples_.back().attitude.t; }
   /// Up to here later velocities change nothing any more; nothing before the first one.
   [[nodiscard]] std::optional<double> settled_time() const {
-    return rows_ ? std::optional(rows_->newest.t) : std::nullopt;
+    return velocities_.empty() ? std::nullopt : std::optional(velocities_.newest_time());
   }
-  /// Seconds since the last accepted velocity, if that is long enough to be a dropout at `t`: half
-  /// a second, or more of a DVL that pings more slowly.
-  [[nodiscard]] std::optional<double> DropoutAge(double t) const;
+  /// As DvlVelocities::DropoutAge.
+  [[nodiscard]] std::optional<double> DropoutAge(double t) const {
+    return velocities_.DropoutAge(t);
+  }
 
   /// Velocity of the DVL in body axes [m/s] that a dropout at `t` is bridged with; nothing while
   /// there is none.
   [[nodiscard]] std::optional<Eigen::Vector3d> BridgedAt(double t) const;
 
   /// Of the last dropout that has ended; nothing before one.
-  [[nodiscard]] const std::optional<BridgeEnd>& bridge_end() const { return bridge_end_; }
+  [[nodiscard]] const std::optional<BridgeEnd>& bridge_end() const { return bridge_end_.end(); }
 
   /// The thrusters push with this force from `t` on, ahead and abeam [N].
   void AddForce(double t, const Eigen::Vector2d& force_B) {
@@ -172,15 +162,6 @@ class OdometryTrack {
     /// Of the track, to catch up with what was not believed at first, in its frame [m].
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   };
-  /// A velocity of the DVL as the track goes by it: measured, or what bridged it.
-  struct VelocityRow {
-    double t = 0.0;
-    Eigen::Vector3d v_B = Eigen::Vector3d::Zero();
-  };
-  struct VelocityRows {
-    VelocityRow before;  ///< the newest once more until one is true
-    VelocityRow newest;
-  };
   /// Neighbouring samples about a time, and the share of the way from one to the other.
   struct Bracket {
     const Sample* before = nullptr;
@@ -190,13 +171,9 @@ class OdometryTrack {
   /// Nothing outside the buffer.
   [[nodiscard]] std::optional<Bracket> Around(double t) const;
   [[nodiscard]] static AttitudeEstimate Between(const Bracket& around, double t);
-  /// Seconds between velocities that are no dropout.
-  [[nodiscard]] double LongestPause() const;
-  [[nodiscard]] Eigen::Vector3d VelocityAt(double t) const;
   [[nodiscard]] Conduct ConductOf(const Sample& sample) const;
   /// Before the water model learns from a velocity.
   void HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B);
-  void ReopenBridgeEnd();
   void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
   /// In a dropout: in the track's frame.
   [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Conduct& conduct) const;
@@ -209,15 +186,13 @@ class OdometryTrack {
 
   OdometryParams params_;
   std::deque<Sample> samples_;
-  std::optional<VelocityRows> rows_;
-  std::optional<double> accepted_t_, fix_t_;  ///< of the last true velocity, of the last fix
-  double began_t_ = 0.0;                      ///< of the first attitude
+  DvlVelocities velocities_;
+  std::optional<double> fix_t_;                              ///< of the last fix
+  double began_t_ = 0.0;                                     ///< of the first attitude
   Eigen::Vector2d contested_way_ = Eigen::Vector2d::Zero();  ///< in the track's frame [m]
-  SamplePeriod period_;
   WaterModel water_;
   DrivenSpeed driven_;
-  std::optional<WaterModel> bridging_;  ///< as it bridged the last dropout
-  std::optional<BridgeEnd> bridge_end_;
+  BridgeEndCheck bridge_end_;
   std::optional<double> sink_rate_;
 };
 
