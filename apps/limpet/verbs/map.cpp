@@ -64,7 +64,7 @@ MapFile MakeDepths(const SavedSession& session, const SemanticOctree&) {
                                     .key = "",
                                     .text = grid.error().text});
   }
-  if (grid->rows == 0) throw Refusal("the session kept no depth of the seabed");
+  if (grid->frame.rows == 0) throw Refusal("the session kept no depth of the seabed");
   std::vector<float> sigma_m = grid->sigma_m;
   for (float& sigma : sigma_m) {
     sigma = std::hypot(sigma, static_cast<float>(grid->zero_sigma_m));

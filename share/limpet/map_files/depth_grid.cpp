@@ -22,14 +22,14 @@ std::vector<Voxel> GroundVoxels(const SemanticOctree& octree) {
 
 /// A grid whose cells' middles go from `low` to `high`, nothing known in it.
 DepthGrid EmptyGrid(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double cell_m) {
-  DepthGrid grid{.north_min = low.x() - 0.5 * cell_m,
-                 .east_min = low.y() - 0.5 * cell_m,
-                 .cell_m = cell_m,
-                 .rows = static_cast<int>(std::lround((high.x() - low.x()) / cell_m)) + 1,
-                 .columns = static_cast<int>(std::lround((high.y() - low.y()) / cell_m)) + 1,
-                 .down_m = {},
-                 .sigma_m = {}};
-  const auto cells = static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
+  DepthGrid grid;
+  grid.frame = {.north_min = low.x() - 0.5 * cell_m,
+                .east_min = low.y() - 0.5 * cell_m,
+                .cell_m = cell_m,
+                .rows = static_cast<int>(std::lround((high.x() - low.x()) / cell_m)) + 1,
+                .columns = static_cast<int>(std::lround((high.y() - low.y()) / cell_m)) + 1};
+  const auto cells =
+      static_cast<std::size_t>(grid.frame.rows) * static_cast<std::size_t>(grid.frame.columns);
   grid.down_m.assign(cells, kUnknown);
   grid.sigma_m.assign(cells, kUnknown);
   return grid;
@@ -46,9 +46,9 @@ DepthGrid EmptyGridAround(const std::vector<Voxel>& voxels, double cell_m) {
 
 std::size_t CellOf(const DepthGrid& grid, double north, double east) {
   const auto index = [&grid](double offset) {
-    return static_cast<int>(std::floor(offset / grid.cell_m));
+    return static_cast<int>(std::floor(offset / grid.frame.cell_m));
   };
-  return grid.Index(index(north - grid.north_min), index(east - grid.east_min));
+  return grid.Index(index(north - grid.frame.north_min), index(east - grid.frame.east_min));
 }
 std::size_t CellOf(const DepthGrid& grid, const Voxel& voxel) {
   return CellOf(grid, voxel.p_W.x(), voxel.p_W.y());
@@ -76,10 +76,11 @@ constexpr double kTooManyCells = 6e8;
 }  // namespace
 
 std::optional<std::size_t> DepthGrid::At(double north, double east) const {
-  if (rows == 0) return std::nullopt;
-  const double row = std::floor((north - north_min) / cell_m);
-  const double column = std::floor((east - east_min) / cell_m);
-  if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) return std::nullopt;
+  if (frame.rows == 0) return std::nullopt;
+  const double row = std::floor((north - frame.north_min) / frame.cell_m);
+  const double column = std::floor((east - frame.east_min) / frame.cell_m);
+  const bool is_inside = row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
+  if (!is_inside) return std::nullopt;
   const std::size_t cell = Index(static_cast<int>(row), static_cast<int>(column));
   return IsKnown(cell) ? std::optional(cell) : std::nullopt;
 }

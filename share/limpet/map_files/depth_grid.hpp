@@ -10,21 +10,19 @@
 #include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/core/expected.hpp"
 #include "limpet/session/session_memory.hpp"
+#include "limpet/topics/mapping.hpp"
 
 namespace limpet {
 
-/// Depth of the seabed by columns of a session's map, row-major from the south-west corner.
+/// Depth of the seabed by columns of a session's map.
 struct DepthGrid {
-  double north_min = 0.0, east_min = 0.0;  ///< NED [m]
-  double cell_m = 0.0;
-  int rows = 0;                ///< along north
-  int columns = 0;             ///< along east
+  GridFrame frame;
   std::vector<float> down_m;   ///< not a number where no beam ended
   std::vector<float> sigma_m;  ///< of those, beside what the whole session is off by
   double zero_sigma_m = 0.0;   ///< by how much that may be
 
   [[nodiscard]] std::size_t Index(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
            static_cast<std::size_t>(column);
   }
   [[nodiscard]] bool IsKnown(std::size_t cell) const { return !std::isnan(down_m[cell]); }

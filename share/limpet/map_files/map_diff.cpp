@@ -31,12 +31,13 @@ Compared Compare(const DepthGrid& a, const DepthGrid& b, const FrameOffset& offs
   constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
   Compared compared{.off_m = std::vector<double>(b.down_m.size(), kNoNumber),
                     .sigma_m = std::vector<double>(b.down_m.size(), kNoNumber)};
-  for (int row = 0; row < b.rows; ++row) {
-    for (int column = 0; column < b.columns; ++column) {
+  for (int row = 0; row < b.frame.rows; ++row) {
+    for (int column = 0; column < b.frame.columns; ++column) {
       const std::size_t cell = b.Index(row, column);
       if (!b.IsKnown(cell)) continue;
-      const Eigen::Vector3d p_A = offset.Undo(
-          {b.north_min + (row + 0.5) * b.cell_m, b.east_min + (column + 0.5) * b.cell_m, 0.0});
+      const Eigen::Vector3d p_A =
+          offset.Undo({b.frame.north_min + (row + 0.5) * b.frame.cell_m,
+                       b.frame.east_min + (column + 0.5) * b.frame.cell_m, 0.0});
       if (const auto of_a = a.At(p_A.x(), p_A.y())) {
         compared.off_m[cell] = static_cast<double>(b.down_m[cell] - a.down_m[*of_a]);
         compared.sigma_m[cell] =
@@ -77,9 +78,9 @@ double UsualSize(const std::vector<double>& values) {
 /// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
 void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std::vector<double>& z,
                 double sign, std::vector<DepthChange>& changes) {
-  cv::Mat mask(b.rows, b.columns, CV_8U, cv::Scalar(0));
-  for (int row = 0; row < b.rows; ++row) {
-    for (int column = 0; column < b.columns; ++column) {
+  cv::Mat mask(b.frame.rows, b.frame.columns, CV_8U, cv::Scalar(0));
+  for (int row = 0; row < b.frame.rows; ++row) {
+    for (int column = 0; column < b.frame.columns; ++column) {
       const double here = sign * z[b.Index(row, column)];  // a comparison with no number is false
       mask.at<std::uint8_t>(row, column) = here > DepthDifference::kSignificant ? 255 : 0;
     }
@@ -88,8 +89,8 @@ void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std
   const int count = cv::connectedComponentsWithStats(mask, labels, stats, middles, 8);
   std::vector<DepthChange> found(static_cast<std::size_t>(count));
   std::vector<double> sum_z(found.size(), 0.0);
-  for (int row = 0; row < b.rows; ++row) {
-    for (int column = 0; column < b.columns; ++column) {
+  for (int row = 0; row < b.frame.rows; ++row) {
+    for (int column = 0; column < b.frame.columns; ++column) {
       const int label = labels.at<int>(row, column);
       const std::size_t cell = b.Index(row, column);
       if (label == 0) continue;
@@ -104,9 +105,9 @@ void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std
     const double whole_z = sum_z[static_cast<std::size_t>(label)] / std::sqrt(kSharedCells * cells);
     if (cells < kLeastCells || whole_z < kCertain) continue;
     DepthChange& change = found[static_cast<std::size_t>(label)];
-    change.north = b.north_min + (middles.at<double>(label, 1) + 0.5) * b.cell_m;
-    change.east = b.east_min + (middles.at<double>(label, 0) + 0.5) * b.cell_m;
-    change.area_m2 = cells * b.cell_m * b.cell_m;
+    change.north = b.frame.north_min + (middles.at<double>(label, 1) + 0.5) * b.frame.cell_m;
+    change.east = b.frame.east_min + (middles.at<double>(label, 0) + 0.5) * b.frame.cell_m;
+    change.area_m2 = cells * b.frame.cell_m * b.frame.cell_m;
     changes.push_back(change);
   }
 }

@@ -19,8 +19,8 @@ SemanticOctree Slope() {
 
 TEST(DepthGrid, HasTheDepthOfEachColumnOfTheSeabed) {
   const DepthGrid grid = DepthGridOf(Slope());
-  EXPECT_EQ(grid.rows, 10);
-  EXPECT_EQ(grid.columns, 2);
+  EXPECT_EQ(grid.frame.rows, 10);
+  EXPECT_EQ(grid.frame.columns, 2);
   const auto cell = grid.At(1.1, 0.1);
   ASSERT_TRUE(cell);
   EXPECT_NEAR(static_cast<double>(grid.down_m[*cell]), 8.1, 1e-3);
@@ -64,8 +64,8 @@ TEST(DepthGrid, IsAsFineAsTheSessionKeptIt) {
   depths.SetZeroSigma(0.07);
   const auto grid = DepthGridOf(MemoryWith(depths.Serialize(), Slope().Serialize()));
   ASSERT_TRUE(grid) << grid.error().text;
-  EXPECT_EQ(grid->rows, 6);
-  EXPECT_EQ(grid->columns, 6);
+  EXPECT_EQ(grid->frame.rows, 6);
+  EXPECT_EQ(grid->frame.columns, 6);
   EXPECT_EQ(grid->zero_sigma_m, 0.07);
   const auto cell = grid->At(1.1, 0.1);
   ASSERT_TRUE(cell);
@@ -77,8 +77,8 @@ TEST(DepthGrid, IsAsFineAsTheSessionKeptIt) {
 TEST(DepthGrid, OfAnOlderSessionIsThatOfItsVoxels) {
   const auto grid = DepthGridOf(MemoryWith("", Slope().Serialize()));
   ASSERT_TRUE(grid) << grid.error().text;
-  EXPECT_EQ(grid->rows, 10);
-  EXPECT_EQ(DepthGridOf(MemoryWith("", ""))->rows, 0);
+  EXPECT_EQ(grid->frame.rows, 10);
+  EXPECT_EQ(DepthGridOf(MemoryWith("", ""))->frame.rows, 0);
 }
 
 TEST(DepthGrid, NamesTheFileThatIsDamaged) {

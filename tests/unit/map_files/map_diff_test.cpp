@@ -14,17 +14,12 @@ namespace {
 /// 12 by 12 m; `depth` of a place.
 template <class Depth>
 DepthGrid GridOf(const Depth& depth) {
-  DepthGrid grid{.north_min = -6.0,
-                 .east_min = -6.0,
-                 .cell_m = 0.2,
-                 .rows = 60,
-                 .columns = 60,
-                 .down_m = {},
-                 .sigma_m = {}};
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      grid.down_m.push_back(static_cast<float>(
-          depth(grid.north_min + 0.2 * (row + 0.5), grid.east_min + 0.2 * (column + 0.5))));
+  DepthGrid grid;
+  grid.frame = {.north_min = -6.0, .east_min = -6.0, .cell_m = 0.2, .rows = 60, .columns = 60};
+  for (int row = 0; row < grid.frame.rows; ++row) {
+    for (int column = 0; column < grid.frame.columns; ++column) {
+      grid.down_m.push_back(
+          static_cast<float>(depth(-6.0 + 0.2 * (row + 0.5), -6.0 + 0.2 * (column + 0.5))));
       grid.sigma_m.push_back(0.06F);
     }
   }
