@@ -344,7 +344,7 @@ void MapApp::PublishObjects() {
     belief.centroid_W = belief.object.p_W;
     if (const std::optional<ObjectCluster> cluster = layer_.Cluster(belief.id)) {
       belief.centroid_W = cluster->centre_W;
-      belief.centroid_sd = cluster->deviation_W;
+      belief.centroid_sd_W = cluster->deviation_W;
     }
   }
   Value encoded = TopicCodec<OpiBeliefs>::Encode(beliefs);

@@ -47,7 +47,6 @@ constexpr std::array kFrameless = {
     Frameless{"SourceErrorEstimate::value", "any"},
     Frameless{"SourceErrorEstimate::sd", "any"},
     Frameless{"ScenarioObstacle::size_m", "lengths"},
-    Frameless{"OpiBelief::centroid_sd", "interface"},
 };
 
 std::string Letters() {

@@ -180,7 +180,7 @@ std::vector<OpiBelief> RightBeliefs(const Scenario& scenario, const std::string&
     opi.object.p_W = {place.x(), place.y() + error_m, place.z()};
     opi.object.cov_W << 0.04, 0.01, 0.0, 0.01, 0.09, 0.0, 0.0, 0.0, 0.02;
     opi.centroid_W = {place.x() + 0.1, place.y() + error_m, place.z() - 0.1};
-    opi.centroid_sd = {0.25, 0.3, 0.2};
+    opi.centroid_sd_W = {0.25, 0.3, 0.2};
     opi.object.color = truth.color;
     opi.looks = 7;
     const bool is_change = session == "change";

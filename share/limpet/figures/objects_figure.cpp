@@ -27,7 +27,7 @@ struct Drawing {
 };
 
 void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
-  const auto& sd = opi.centroid_sd;
+  const auto& sd = opi.centroid_sd_W;
   const Eigen::Matrix3d& S = opi.object.cov_W;
   const Point centroid = drawing.at(opi.centroid_W.x(), opi.centroid_W.y());
   const Point place = drawing.at(opi.object.p_W.x(), opi.object.p_W.y());

@@ -57,8 +57,8 @@ struct OpiBelief {
   /// Of what is decided to have moved: that it is the former object `former_id`, which stood
   /// elsewhere, and that that place is empty now.
   std::optional<double> moved_probability = std::nullopt;
-  Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();   ///< of the map's OPI voxels [m]
-  Eigen::Vector3d centroid_sd = Eigen::Vector3d::Zero();  ///< their spread [m]
+  Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();     ///< of the map's OPI voxels [m]
+  Eigen::Vector3d centroid_sd_W = Eigen::Vector3d::Zero();  ///< their spread [m]
 };
 
 }  // namespace limpet

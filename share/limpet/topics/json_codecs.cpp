@@ -141,7 +141,7 @@ void to_json(nlohmann::json& out, const OpiBelief& opi) {
          {"landmark", opi.landmark.value_or(kNoId)},
          {"prior_id", opi.former_id.value_or(kNoId)},
          {"centroid", TripleOf(opi.centroid_W)},
-         {"centroid_sd", TripleOf(opi.centroid_sd)},
+         {"centroid_sd", TripleOf(opi.centroid_sd_W)},
          {"probability", opi.posterior.present()},
          {"posterior", opi.posterior},
          {"decided", NameOf(opi.decided)},
@@ -163,7 +163,7 @@ void from_json(const nlohmann::json& in, OpiBelief& opi) {
       .posterior = in.at("posterior"),
       .decided = StatusFromName(in.at("decided").get<std::string>()).value_or(Status::kUncertain),
       .centroid_W = VectorFrom(in.at("centroid")),
-      .centroid_sd = VectorFrom(in.at("centroid_sd"))};
+      .centroid_sd_W = VectorFrom(in.at("centroid_sd"))};
   if (in.contains("moved_probability")) opi.moved_probability = in.at("moved_probability");
 }
 

@@ -83,7 +83,7 @@ class Maker {
       opi.posterior = {.confirmed = 0.4, .removed = 0.3, .appeared = 0.2, .nothing = 0.1};
       opi.decided = Status::kConfirmed;
       opi.centroid_W = Place();
-      opi.centroid_sd = Place();
+      opi.centroid_sd_W = Place();
       out.opis.push_back(opi);
     }
   }
