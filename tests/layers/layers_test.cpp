@@ -130,7 +130,7 @@ TEST(TestSubjects, AreNamedFirst) {
   for (const char* test :
        {"wire/packet_codec", "wire/packet_codec_captures", "wire/packet_codec_properties",
         "wire/time", "wire/torn_disk", "cli/command_line", "cli/check_verb", "cli/check_safety",
-        "apps_pMap/map_app", "apps_pMap/map_app_faults"}) {
+        "pMap/map_app", "pMap/map_app_faults"}) {
     EXPECT_THAT(Complaints(test), IsEmpty());
   }
 }
@@ -141,7 +141,7 @@ TEST(TestSubjects, AreOneFileEach) {
       << "part of a name";
   for (const char* test : {"wire/packet_codecs", "wire/wire_captures", "wire/short_records",
                            "wire/captures", "wire/made_packets", "core/time", "cli/verbs",
-                           "cli/checks", "apps_pMap/map_diff", "map/map_app"}) {
+                           "cli/checks", "pMap/map_diff", "map/map_app"}) {
     EXPECT_THAT(Complaints(test), ElementsAre(HasSubstr("is of no file of"))) << test;
   }
 }

@@ -31,12 +31,8 @@ bool HasSubject(const std::string& name, const std::set<std::string>& subjects) 
   });
 }
 
-/// The library that tests/unit/<folder> is about.
-std::string LibraryOf(std::string folder) {
-  constexpr std::string_view kApp = "apps_";  // where a library has the app's name but for the case
-  if (folder.starts_with(kApp)) folder.erase(0, kApp.size());
-  return folder == "cli" ? "limpet" : folder;
-}
+/// The folder that tests/unit/<folder> is about: its own name, but for the command's.
+std::string LibraryOf(const std::string& folder) { return folder == "cli" ? "limpet" : folder; }
 
 }  // namespace
 

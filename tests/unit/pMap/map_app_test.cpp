@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/apps_pMap/map_app_fixture.hpp"
+#include "tests/unit/pMap/map_app_fixture.hpp"
 
 namespace limpet {
 namespace {
@@ -170,7 +170,7 @@ TEST_F(MapAppTest, PutsTheCentroidAtTheSpheresCentre) {
   const Eigen::Vector3d centroid = Objects()[0].centroid_W;
   EXPECT_LT((centroid - off_grid.ned).norm(), 0.2);
   EXPECT_NE(centroid.x(), off_grid.ned.x()) << "from the voxels, not from the smoother";
-  EXPECT_NEAR(Objects()[0].centroid_sd[0], 0.25, 0.1);
+  EXPECT_NEAR(Objects()[0].centroid_sd_W[0], 0.25, 0.1);
 }
 
 TEST_F(MapAppTest, SendsItsMapOnRequest) {

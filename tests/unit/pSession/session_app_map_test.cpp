@@ -7,7 +7,7 @@
 
 #include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/session/saved_session.hpp"
-#include "tests/unit/apps_pSession/session_app_fixture.hpp"
+#include "tests/unit/pSession/session_app_fixture.hpp"
 
 namespace limpet {
 namespace {

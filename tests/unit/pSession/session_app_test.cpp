@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/session/saved_session.hpp"
-#include "tests/unit/apps_pSession/session_app_fixture.hpp"
+#include "tests/unit/pSession/session_app_fixture.hpp"
 
 namespace limpet {
 namespace {

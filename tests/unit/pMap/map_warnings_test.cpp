@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limpet/topics/surface_fix.hpp"
-#include "tests/unit/apps_pMap/map_app_fixture.hpp"
+#include "tests/unit/pMap/map_app_fixture.hpp"
 
 namespace limpet {
 namespace {
