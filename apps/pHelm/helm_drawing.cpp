@@ -2,9 +2,10 @@
 #include "apps/pHelm/helm_drawing.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
+
+#include "limpet/helm/path_chords.hpp"
 
 namespace limpet {
 namespace {
@@ -18,16 +19,6 @@ PolygonShape Rectangle(const SurveyArea& area, double margin) {
            MapPointOf(north, west)}};
 }
 
-/// Chords for an arc: the sagitta of a chord of angle a on radius r is r (1 - cos(a/2)).
-int ChordsOf(const PathSegment& segment, double sagitta) {
-  const double curvature = std::abs(segment.curvature);
-  if (curvature < 1e-6) {
-    return 1;
-  }
-  const double angle = 2.0 * std::acos(std::max(0.0, 1.0 - sagitta * curvature));
-  return std::max(1, static_cast<int>(std::ceil(curvature * segment.length / angle)));
-}
-
 Shape OptionEnd(std::string label, const BiddenOption& option) {
   return {.label = std::move(label),
           .form = PointShape{MapPointOf(option.end[0], option.end[1])},
@@ -38,19 +29,6 @@ Shape OptionEnd(std::string label, const BiddenOption& option) {
 }
 
 }  // namespace
-
-std::vector<MapPoint> MapPointsOf(const DubinsPath& path, double sagitta) {
-  Pose2 pose = path.start();
-  std::vector<MapPoint> points{MapPointOf(pose.north, pose.east)};
-  for (const PathSegment& segment : path.segments()) {
-    const int chords = ChordsOf(segment, sagitta);
-    for (int i = 0; i < chords; ++i) {
-      pose = Advance(pose, segment.curvature, segment.length / chords);
-      points.push_back(MapPointOf(pose.north, pose.east));
-    }
-  }
-  return points;
-}
 
 HelmDrawing::HelmDrawing(std::string vehicle, ShapeBoard::Post post)
     : vehicle_(std::move(vehicle)), board_(std::move(post)) {}

@@ -33,7 +33,4 @@ class HelmDrawing {
   bool has_path_ = false;
 };
 
-/// The corners of a path, arcs by chords that leave them by at most `sagitta` [m].
-[[nodiscard]] std::vector<MapPoint> MapPointsOf(const DubinsPath& path, double sagitta);
-
 }  // namespace limpet

@@ -13,8 +13,8 @@
 #include "apps/pLog/log_memory.hpp"
 #include "apps/pLog/log_params.hpp"
 #include "apps/pLog/log_session.hpp"
-#include "apps/pLog/sync_table.hpp"
 #include "limpet/app/app.hpp"
+#include "limpet/logbook/sync_table.hpp"
 #include "limpet/topics/safety.hpp"
 
 namespace limpet {

@@ -8,10 +8,10 @@
 
 #include "apps/pNav/refusal_watch.hpp"
 #include "apps/pNav/source_watch.hpp"
-#include "apps/pNav/track_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/navigation/place_sigmas.hpp"
+#include "estimation/navigation/track_watch.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
 #include "limpet/core/lens_model.hpp"
@@ -140,6 +140,7 @@ class NavApp final : public App {
   void ReportSources(ReportLines& report) const;
   void ReportAiding(ReportLines& report) const;
   void WatchAiding(double now);
+  void WatchAgreement();
 
   NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle);
 

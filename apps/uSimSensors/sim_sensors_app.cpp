@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "apps/uSimSensors/faulty_sensor.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/sensors/depth_model.hpp"
 #include "limpet/sensors/dvl_model.hpp"
+#include "limpet/sensors/faulty_sensor.hpp"
 #include "limpet/sensors/fog_model.hpp"
 #include "limpet/sensors/gps_model.hpp"
 #include "limpet/sensors/imu_model.hpp"

@@ -6,11 +6,11 @@
 
 #include <Eigen/Core>
 
-#include "apps/uSimVehicle/simulated_battery.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/mission/fault_schedule.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/sensors/simulated_battery.hpp"
 #include "limpet/simulation/tidal_current.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/simulation.hpp"

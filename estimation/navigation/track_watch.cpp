@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/pNav/track_watch.hpp"
+#include "estimation/navigation/track_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace limpet {
 namespace {
 
-constexpr double kStep = 5.0;  // [s] a shift changes slowly along the track
+constexpr double kCompared = 5.0;  // [s] a shift changes slowly along the track
 
 double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
@@ -33,7 +33,7 @@ std::optional<TrackShift> TrackWatch::Compare(const std::vector<SmoothedPose>& t
   TrackShift shift;
   for (std::size_t i = 0; i < told_.size(); ++i) {
     const bool is_end = i + 1 == told_.size();
-    if (is_end || shift.steps.empty() || track[i].t - shift.steps.back()[0] >= kStep) {
+    if (is_end || shift.steps.empty() || track[i].t - shift.steps.back()[0] >= kCompared) {
       const Eigen::Vector3d moved = track[i].X_WB.p_WB - told_[i].p_WB;
       const double turned = WrapAngle(track[i].X_WB.yaw - told_[i].yaw);
       shift.steps.push_back({track[i].t, Rounded(moved.x()), Rounded(moved.y()), Rounded(moved.z()),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/uSimVehicle/simulated_battery.hpp"
+#include "limpet/sensors/simulated_battery.hpp"
 
 #include <algorithm>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "apps/pHelm/helm_lead.hpp"
+#include "limpet/helm/helm_lead.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "apps/pHelm/helm_drawing.hpp"
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/helm/path_chords.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/waypoints/point_list.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/uSimSensors/faulty_sensor.hpp"
+#include "limpet/sensors/faulty_sensor.hpp"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/pLog/sync_table.hpp"
+#include "limpet/logbook/sync_table.hpp"
 
 #include <algorithm>
 #include <cmath>
