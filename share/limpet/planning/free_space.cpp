@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kFinestCell = 0.25;  // [m]
 constexpr double kMostRasterCells = 2.5e5;
-constexpr double kShortestPiece = 1.0;  // below it dividing costs more than an exact test [m]
+constexpr double kShortestPiece = 1.0;    // below it dividing costs more than an exact test [m]
+constexpr double kRasterRounding = 1e-4;  // [m] of clearances kept as floats
 
 }  // namespace
 
@@ -40,11 +41,11 @@ double Fence::ClearanceAtLeast(const PlanePoint& at) const {
 
 std::optional<std::size_t> FreeSpace::Raster::At(const PlanePoint& place) const {
   const PlanePoint index = (place - origin) / cell_m;
-  const double row = std::floor(index.x() + 0.5), column = std::floor(index.y() + 0.5);
-  // Written so that what is no number is outside.
+  const double row = index.x() + 0.5, column = index.y() + 0.5;
+  // Written so that what is no number is outside; of what is not negative a cast is the floor.
   if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) return std::nullopt;
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-         static_cast<std::size_t>(column);
+  return static_cast<std::size_t>(static_cast<std::int64_t>(row) * columns +
+                                  static_cast<std::int64_t>(column));
 }
 
 FreeSpace::FreeSpace(std::vector<Fence> fences) : fences_(std::move(fences)) {
@@ -76,32 +77,55 @@ void FreeSpace::FillRaster() {
 double FreeSpace::Clearance(const PlanePoint& at) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Fence& fence : fences_) {
-    if (fence.ClearanceAtLeast(at) < least) least = std::min(least, fence.Clearance(at));
+    if (!(fence.ClearanceAtLeast(at) < least)) continue;
+    const double clearance = fence.Clearance(at);
+    if (!(clearance >= least)) least = clearance;  // of no place it is no number either
   }
   return least;
 }
 
+FreeSpace::Bounds FreeSpace::BoundsAt(const PlanePoint& at) const {
+  const auto cell = raster_.At(at);
+  if (!cell) return {};
+  // Clearances of two places differ by no more than their distance.
+  const double there = static_cast<double>(raster_.clearance[*cell]);
+  const double slack = raster_.slack() + kRasterRounding;
+  return {.low = there - slack, .high = there + slack};
+}
+
 double FreeSpace::ClearanceUpTo(const PlanePoint& at, double enough) const {
-  if (const auto cell = raster_.At(at)) {
-    // Clearances of two places differ by no more than their distance.
-    const double surely = static_cast<double>(raster_.clearance[*cell]) - raster_.slack() - 1e-4;
-    if (surely >= enough) return surely;
-  }
-  return Clearance(at);
+  const double surely = BoundsAt(at).low;
+  return surely >= enough ? surely : Clearance(at);
+}
+
+bool FreeSpace::HasClearance(const PlanePoint& at, double least) const {
+  const Bounds bounds = BoundsAt(at);
+  if (bounds.low >= least) return true;
+  return bounds.high >= least && Clearance(at) >= least;
 }
 
 bool FreeSpace::IsPieceInside(const Pose2& from, const PathSegment& piece) const {
   const double half = 0.5 * piece.length;
   const Pose2 middle = Advance(from, piece.curvature, half);
-  if (ClearanceUpTo({middle.north, middle.east}, half) >= half) return true;
+  const PlanePoint at(middle.north, middle.east);
+  if (HasClearance(at, half)) return true;
+  if (BoundsAt(at).high < -kTouch) return false;
   if (piece.length > kShortestPiece) {
     return IsPieceInside(from, {piece.curvature, half}) &&
            IsPieceInside(middle, {piece.curvature, half});
   }
+  return IsInsideBetweenMeetings(from, piece);
+}
+
+bool FreeSpace::IsInsideBetweenMeetings(const Pose2& from, const PathSegment& piece) const {
+  const double half = 0.5 * piece.length;
+  const Pose2 middle = Advance(from, piece.curvature, half);
   // Between two meetings with a border it is on one side of all of them.
   std::vector<double> cuts{0.0, piece.length};
   for (const Fence& fence : fences_) {
-    if (fence.ClearanceAtLeast({middle.north, middle.east}) > half) continue;
+    const PlanePoint at(middle.north, middle.east);
+    const bool is_far = fence.ClearanceAtLeast(at) > half || fence.Clearance(at) > half + kTouch;
+    if (is_far) continue;
     AddMeetings({.from = from, .segment = piece}, fence.polygon, fence.distance, cuts);
   }
   std::ranges::sort(cuts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,9 +39,10 @@ class FreeSpace {
   [[nodiscard]] double Clearance(const PlanePoint& at) const;
   /// The least of the fences' clearances where it is below `enough`, which answers for all above.
   [[nodiscard]] double ClearanceUpTo(const PlanePoint& at, double enough) const;
-  [[nodiscard]] bool Contains(const PlanePoint& at) const {
-    return ClearanceUpTo(at, 0.0) >= -kTouch;
-  }
+  /// True if the least of the fences' clearances is at least `least` [m]: exact, though the raster
+  /// knows it of most places.
+  [[nodiscard]] bool HasClearance(const PlanePoint& at, double least) const;
+  [[nodiscard]] bool Contains(const PlanePoint& at) const { return HasClearance(at, -kTouch); }
   /// Exact, not sampled.
   [[nodiscard]] bool Contains(const Pose2& from, const PathSegment& segment) const;
 
@@ -64,7 +66,16 @@ class FreeSpace {
   [[nodiscard]] const Raster& raster() const { return raster_; }
 
  private:
+  /// The least and the most that its clearance can be.
+  struct Bounds {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+  };
+  /// As the raster knows it.
+  [[nodiscard]] Bounds BoundsAt(const PlanePoint& at) const;
   [[nodiscard]] bool IsPieceInside(const Pose2& from, const PathSegment& piece) const;
+  /// Exact: of a piece that may meet a border.
+  [[nodiscard]] bool IsInsideBetweenMeetings(const Pose2& from, const PathSegment& piece) const;
   void FillRaster();
 
   std::vector<Fence> fences_;

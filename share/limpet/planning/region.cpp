@@ -2,6 +2,7 @@
 #include "limpet/planning/region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -27,6 +28,13 @@ bool Passes(const SignedTurn& turn, double heading) {
   double ahead = std::fmod(turn.by >= 0.0 ? heading - turn.from : turn.from - heading, full);
   ahead = ahead < 0.0 ? ahead + full : ahead;
   return ahead <= std::abs(turn.by);
+}
+
+/// Of the circles of radius `r` that a vehicle may turn on from its pose, to port and to starboard.
+std::array<PlanePoint, 2> CentersOfTurns(const Pose2& pose, double r) {
+  const PlanePoint at(pose.north, pose.east);
+  const PlanePoint starboard(-r * std::sin(pose.yaw), r * std::cos(pose.yaw));
+  return {at - starboard, at + starboard};
 }
 
 std::size_t MarkOf(const std::vector<Fence>& obstacles) {
@@ -120,9 +128,8 @@ bool Region::Contains(const DubinsPath& path) const {
 double Region::Deficit(const Pose2& pose, Meters radius) const {
   const double r = radius.value();
   double least = std::numeric_limits<double>::infinity();
-  for (const double side : {-1.0, 1.0}) {
-    const double north = pose.north - side * r * std::sin(pose.yaw);
-    const double east = pose.east + side * r * std::cos(pose.yaw);
+  for (const PlanePoint& center : CentersOfTurns(pose, r)) {
+    const double north = center.x(), east = center.y();
     if (free_) {
       least = std::min(least, std::max(0.0, r - free_->ClearanceUpTo({north, east}, r)));
       continue;
@@ -134,16 +141,19 @@ double Region::Deficit(const Pose2& pose, Meters radius) const {
 }
 
 bool Region::IsRecoverable(const Pose2& pose, Meters radius) const {
-  return Deficit(pose, radius) <= kTouch;
+  if (!free_) return Deficit(pose, radius) <= kTouch;
+  const double r = radius.value();
+  return std::ranges::any_of(CentersOfTurns(pose, r), [&](const PlanePoint& center) {
+    return free_->HasClearance(center, r - kTouch);
+  });
 }
 
 bool Region::Allows(const Pose2& from, const PathSegment& segment, Meters radius) const {
   const Pose2 end = Advance(from, segment.curvature, segment.length);
-  const double before = Deficit(from, radius);
-  if (before <= kTouch && Contains(from)) {
+  if (IsRecoverable(from, radius) && Contains(from)) {
     return IsRecoverable(end, radius) && Contains(from, segment);
   }
-  return Deficit(end, radius) <= before + kTouch;
+  return Deficit(end, radius) <= Deficit(from, radius) + kTouch;
 }
 
 double Region::Clearance(const PlanePoint& at) const {

@@ -37,6 +37,7 @@ TourJudge::TourJudge(const Ground& ground, const Region& region, Meters turn_rad
     : ground_(ground),
       region_(region),
       turn_radius_(turn_radius),
+      links_(region, turn_radius),
       planes_(ground),
       cell_m2_(ground.frame().cell_m * ground.frame().cell_m),
       wanted_cells_(static_cast<double>(ground.wanted_cells())) {}
@@ -101,7 +102,7 @@ TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {
 
 void TourJudge::FlyPass(const Pass& pass, Stage& stage) {
   stage.pass = pass;
-  const PassLink link = LinkBetween(stage.end, pass.in, region_, turn_radius_);
+  const PassLink& link = Link(stage.end, pass.in);
   stage.cost.detours += link.Price() - link.word.length;
   for (const PathSegment& segment : link.word.segments) {
     if (segment.length <= 0.0 || stage.is_finished) continue;

@@ -8,6 +8,7 @@
 
 #include "limpet/core/units.hpp"
 #include "limpet/planning/ground.hpp"
+#include "limpet/planning/link_memory.hpp"
 #include "limpet/planning/objective.hpp"
 #include "limpet/planning/pass.hpp"
 #include "limpet/planning/path_valuer.hpp"
@@ -72,6 +73,11 @@ class TourJudge {
   /// once.
   [[nodiscard]] TourCost Cost(const SurveyTour& tour);
 
+  /// As LinkBetween, inside its region. Good until the next call.
+  [[nodiscard]] const PassLink& Link(const Pose2& from, const Pose2& to) {
+    return links_.Between(from, to);
+  }
+
   /// Where tours start.
   [[nodiscard]] const Pose2& start() const { return base_.end; }
   [[nodiscard]] const Region& region() const { return region_; }
@@ -105,6 +111,7 @@ class TourJudge {
   const Ground& ground_;
   const Region& region_;
   Meters turn_radius_;
+  LinkMemory links_;
   SeenPlanes planes_;
   TourGoal goal_;
   int may_stay_ = 0;                    ///< cells of the top that may be left

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,20 @@ TEST(FreeSpace, HoldsAPathExactlyWhenItHoldsEachOfItsPlaces) {
   }
   EXPECT_GT(inside, 60);
   EXPECT_GT(outside, 60);
+}
+
+TEST(FreeSpace, KnowsFromItsRasterNoOtherThanByEveryBorder) {
+  const Region region = ShapeRegion();
+  const FreeSpace& space = *region.free_space();
+  Random random(8, "places");
+  for (int i = 0; i < 20000; ++i) {
+    const PlanePoint at(random.Uniform(-4.0, 44.0), random.Uniform(-4.0, 44.0));
+    const double clearance = space.Clearance(at);
+    for (const double least : {-FreeSpace::kTouch, 0.5, 2.0, clearance - 1e-9, clearance + 1e-9})
+      EXPECT_EQ(space.HasClearance(at, least), clearance >= least) << at << ", " << least;
+  }
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(space.Contains(PlanePoint(nowhere, 3.0)));
 }
 
 TEST(FreeSpace, SeesAnArcThatCutsTheTipOfAZone) {
