@@ -78,8 +78,8 @@ class DecidingHelm {
                SurveyArea{.north_min = -10, .north_max = 10, .east_min = -10, .east_max = 10});
     link_.Send(*app_, topics::kMapLook, ToMapLook(LookModel{}));
   }
-  void StayAt(double north) {
-    for (int tick = 0; tick < 100; ++tick) {
+  void StayAt(double north, int ticks = 100) {
+    for (int tick = 0; tick < ticks; ++tick) {
       link_.time += Seconds(0.1);
       link_.Send(*app_, topics::kNavState,
                  NavState{.north = north, .east = 0.0, .down = 3.0, .u = 0.5, .altitude = 4.0});
@@ -124,10 +124,11 @@ TEST(HelmThatDecides, SaysInACommunityHowLongThatTook) {
 TEST(HelmThatDecides, DoesNotHearInACommunityWhoTakesTooLongOverWhereNextAndSaysSo) {
   const std::string brooder = "Behavior = BHV_TestBrooder\n{\n  name = brooder\n}\n";
   DecidingHelm live(true, brooder), embedded(false, brooder);
-  live.StayAt(5.0);
+  constexpr int kTicks = 25;
+  live.StayAt(5.0, kTicks);
   EXPECT_TRUE(live.Warns("BHV_LATE_brooder"));
   EXPECT_FALSE(live.Warns()) << "its veto is not heard";
-  embedded.StayAt(5.0);
+  embedded.StayAt(5.0, kTicks);
   EXPECT_FALSE(embedded.Warns("BHV_LATE_brooder"));
   EXPECT_TRUE(embedded.Warns()) << "runs repeat, however fast the machine is";
 }
