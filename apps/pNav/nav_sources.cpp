@@ -67,11 +67,24 @@ void NavApp::WatchSensors(double now) {
   const auto deviation = navigator_.compass_deviation();
   watch(warnings::kCompassDeviates, deviation && deviation->is_too_large,
         "the compass is off by more than its data sheet admits");
+  WatchAgreement();
   watch(warnings::kFormerElsewhere, navigator_.is_former_elsewhere(),
         "the former session's frame lies elsewhere than its fixes and compass say");
   watch(
       warnings::kNavInvalid, navigator_.has_started() && !IsValid(now),
       "no attitude, or nothing else either: NAV_STATE is not valid, NAV_X and its kin are silent");
+}
+
+void NavApp::WatchAgreement() {
+  const std::vector<Disagreement> found = navigator_.disagreements();
+  for (const std::string_view motion : SensorAgreement::kMotions) {
+    const auto one = std::ranges::find(found, motion, &Disagreement::what);
+    if (one != found.end()) {
+      Warn(warnings::kSensorsDisagree.Of(std::string(motion)), one->text);
+    } else {
+      ClearWarning(warnings::kSensorsDisagree, std::string(motion));
+    }
+  }
 }
 
 void NavApp::WatchAiding(double now) {

@@ -16,12 +16,16 @@ constexpr double kTurnSpan = 0.2;        // [s] of attitudes that tell how fast 
 constexpr double kSinkRateSpan = 1.0;    // [s] of depths that tell the sink rate
 constexpr double kAltitudeMaxAge = 1.5;  // [s]
 constexpr double kCompassMaxAge = 1.5;   // [s]
+constexpr double kDepthMaxAge = 0.6;     // [s] of a depth beside a velocity
 
 }  // namespace
 
 MeasurementBuffer::MeasurementBuffer(const OdometryParams& odometry,
-                                     const VelocityGateParams& velocity_gate)
-    : p_dvl_B_(odometry.dvl_B), velocity_gate_(velocity_gate), track_(odometry) {}
+                                     const VelocityGateParams& velocity_gate, Meters depth_sigma)
+    : p_dvl_B_(odometry.dvl_B),
+      velocity_gate_(velocity_gate),
+      track_(odometry),
+      agreement_(depth_sigma) {}
 
 void MeasurementBuffer::AddAttitude(const AttitudeEstimate& attitude) {
   const bool is_finite = std::isfinite(attitude.t) && std::isfinite(attitude.roll) &&
@@ -73,6 +77,7 @@ void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3
     ++counts_.stale_samples;
     return;
   }
+  if (v_dvl_B) CompareVelocity(t, *v_dvl_B);
   using Verdict = VelocityGate::Verdict;
   const Verdict verdict = v_dvl_B ? Judge(t, *v_dvl_B) : Verdict::kRefused;
   const bool is_good = verdict == Verdict::kGood || verdict == Verdict::kBelieved;
@@ -87,6 +92,19 @@ void MeasurementBuffer::AddVelocity(double t, const std::optional<Eigen::Vector3
   if (verdict == Verdict::kGood && !velocity_gate_.alternative_B()) track_.ForgetContested();
   if (is_good && velocity_gate_.alternative_B()) {
     track_.NoteContested(t, *velocity_gate_.alternative_B() + SwingAt(t));
+  }
+}
+
+void MeasurementBuffer::CompareVelocity(double t, const Eigen::Vector3d& v_dvl_B) {
+  if (track_.is_empty() || !v_dvl_B.allFinite()) return;
+  const AttitudeEstimate a = track_.AttitudeAt(t);
+  const Eigen::Vector3d v_H = RotationFromRollPitchYaw(a.roll, a.pitch, 0.0) * v_dvl_B;
+  const auto depth = depths_.Nearest(t);
+  if (depth && std::abs(depth->t - t) < kDepthMaxAge) {
+    agreement_.AddDive(t, {.v_down = v_H.z(), .depth = depth->value});
+  }
+  if (const auto driven_B = track_.ConductAt(t).driven_B) {
+    agreement_.AddDrive(t, *driven_B, v_H.head<2>());
   }
 }
 
@@ -120,6 +138,10 @@ void MeasurementBuffer::AddCompass(double t, double off) {
     return;
   }
   compass_.Add({t, off});
+  if (!track_.is_empty()) {
+    const double yaw = track_.AttitudeAt(t).yaw;
+    agreement_.AddHeadings(t, {.gyro = yaw, .compass = yaw + off});
+  }
 }
 
 std::optional<double> MeasurementBuffer::CompassAt(double t) const {
@@ -133,6 +155,9 @@ void MeasurementBuffer::AddFix(const PositionFix& fix) {
       (!fixes_.empty() && fix.t <= fixes_.back().t)) {
     ++counts_.stale_samples;
     return;
+  }
+  if (!track_.is_empty() && !track_.DropoutAge(fix.t)) {
+    agreement_.AddFix(fix.t, fix.p_W, fix.sd, track_.At(fix.t).X_DB.p_WB.head<2>());
   }
   fixes_.push_back(fix);
 }

@@ -12,6 +12,7 @@
 #include "estimation/navigation/odometry_track.hpp"
 #include "estimation/navigation/position_fix.hpp"
 #include "estimation/navigation/scalar_history.hpp"
+#include "estimation/navigation/sensor_agreement.hpp"
 #include "estimation/navigation/time_gate.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
 #include "limpet/core/long_ago.hpp"
@@ -28,7 +29,9 @@ struct NavigatorCounts {
 /// be worked off and what the last seconds brought. Times in seconds.
 class MeasurementBuffer {
  public:
-  MeasurementBuffer(const OdometryParams& odometry, const VelocityGateParams& velocity_gate);
+  /// `depth_sigma`: of the depths of a second [m].
+  MeasurementBuffer(const OdometryParams& odometry, const VelocityGateParams& velocity_gate,
+                    Meters depth_sigma);
 
   void AddAttitude(const AttitudeEstimate& attitude);
   /// Of an accelerometer in body axes [m/s^2]. Comes after an attitude.
@@ -61,6 +64,7 @@ class MeasurementBuffer {
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
   [[nodiscard]] std::deque<PositionFix>& fixes() { return fixes_; }
   [[nodiscard]] std::vector<Detections>& frames() { return frames_; }
+  [[nodiscard]] const SensorAgreement& agreement() const { return agreement_; }
   [[nodiscard]] const NavigatorCounts& counts() const { return counts_; }
   [[nodiscard]] NavigatorCounts& counts() { return counts_; }
 
@@ -76,6 +80,9 @@ class MeasurementBuffer {
   /// Of what the DVL measured, as the velocity of the body's origin.
   [[nodiscard]] VelocityGate::Verdict Judge(double t, const Eigen::Vector3d& v_dvl_B);
 
+  /// What a velocity says of the same motion as depth and thrusters.
+  void CompareVelocity(double t, const Eigen::Vector3d& v_dvl_B);
+
   Eigen::Vector3d p_dvl_B_;
   VelocityGate velocity_gate_;
   InertialVelocity felt_;
@@ -84,6 +91,7 @@ class MeasurementBuffer {
   ScalarHistory depths_, altitudes_;  ///< altitudes: of the body origin
   double dvl_altitude_t_ = kLongAgo;  ///< of the last one that the DVL gave
   ScalarHistory compass_;             ///< off the attitude's yaw
+  SensorAgreement agreement_;
   std::deque<PositionFix> fixes_;
   std::vector<Detections> frames_;
   NavigatorCounts counts_;

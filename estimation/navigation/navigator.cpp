@@ -30,7 +30,7 @@ std::vector<int> SlotsOf(const std::vector<const TrackedObject*>& objects) {
 
 Navigator::Navigator(const NavigatorParams& params)
     : params_(params),
-      measurements_(params.odometry, params.velocity_gate),
+      measurements_(params.odometry, params.velocity_gate, params.depth_sigma),
       smoother_(params.smoother),
       tracker_(smoother_, params_.camera, params.objects),
       chain_(params_, smoother_, measurements_),

@@ -93,6 +93,10 @@ class Navigator {
   [[nodiscard]] std::optional<double> surface_reading() const {
     return chain_.depth_errors().surface_reading();
   }
+  /// Sensors that cannot all be right.
+  [[nodiscard]] std::vector<Disagreement> disagreements() const {
+    return measurements_.agreement().Found();
+  }
   /// REQUIRES: has_started(), and t no older than the chain's head.
   [[nodiscard]] NavigatorEstimate Estimate(double t) const {
     return EstimateAt(t, chain_, smoother_, measurements_);

@@ -53,7 +53,8 @@ struct ReplayResult {
   SourceUse sources;     ///< of the stream's further sensors
   bool has_fix = false;  ///< that was believed; else places count from the start
   std::optional<FixErrorBelief::Ratio> fix_error = {};  ///< sigma of fixes over what they state
-  std::optional<double> surface_reading = {};  ///< of the depth sensor, where fixes came [m]
+  std::optional<double> surface_reading = {};    ///< of the depth sensor, where fixes came [m]
+  std::vector<Disagreement> disagreements = {};  ///< sensors that cannot all be right
 };
 
 /// What makes of a stream's rows what the navigator takes.

@@ -62,6 +62,8 @@ std::string DoubtSummary(const ReplayResult& result, double doubtful) {
         "it was not zeroed, or tells the absolute pressure; all depths are off by that\n",
         *result.surface_reading);
   }
+  for (const Disagreement& one : result.disagreements)
+    text += one.text + "\n";
   if (const auto doubt = WorstDoubt(result, doubtful)) {
     text += fmt::format(
         "the place was known to no better than {} m (1-sigma) for {:.0f} s, at worst to {:.0f} m "

@@ -65,7 +65,7 @@ class JumpTest : public ::testing::Test {
     }
   }
   const Eigen::Vector3d kNothing = Eigen::Vector3d::Zero();
-  MeasurementBuffer buffer_{OdometryParams{}, VelocityGateParams{}};
+  MeasurementBuffer buffer_{OdometryParams{}, VelocityGateParams{}, Meters(0.015)};
   double t_ = 0.0;
   int samples_ = 0;
 };

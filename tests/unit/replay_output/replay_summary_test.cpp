@@ -57,6 +57,12 @@ TEST(ReplaySummary, SaysADepthSensorThatWasNotZeroed) {
   EXPECT_THAT(SummaryOf(result), HasSubstr("the depth sensor read 10.3 m where fixes came"));
 }
 
+TEST(ReplaySummary, SaysWhichSensorsCannotBothBeRight) {
+  ReplayResult result = Fixed();
+  result.disagreements = {{.what = SensorAgreement::kTurn, .text = "the compass turns -1 times"}};
+  EXPECT_THAT(SummaryOf(result), HasSubstr("the compass turns -1 times\n"));
+}
+
 TEST(ReplaySummary, CountsTheObjectsKnownAgain) {
   ReplayResult result = Fixed();
   result.landmarks.resize(3);
