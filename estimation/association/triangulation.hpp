@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimation/association/camera_mount.hpp"
+#include "estimation/association/object_sizes.hpp"
 #include "estimation/association/observation.hpp"
 #include "estimation/smoothing/nav_vector.hpp"
 #include "limpet/core/camera_model.hpp"
