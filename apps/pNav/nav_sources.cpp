@@ -76,7 +76,7 @@ void NavApp::WatchSensors(double now) {
 }
 
 void NavApp::WatchAgreement() {
-  const std::vector<Disagreement> found = navigator_.disagreements();
+  const std::vector<Disagreement> found = navigator_.Disagreements();
   for (const std::string_view motion : SensorAgreement::kMotions) {
     const auto one = std::ranges::find(found, motion, &Disagreement::what);
     if (one != found.end()) {

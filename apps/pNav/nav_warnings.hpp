@@ -137,14 +137,12 @@ inline const WarningFamily kSensorsDisagree = DeclareWarningFamily(
      .raised_by = {"pNav"},
      .meaning =
          "Two sensors say quite another thing of the same motion, stretch after stretch: the "
-         "compass turns against the gyro or by another share (TURN), depth goes otherwise than the "
-         "DVL sinks (DIVE), fixes go otherwise than the DVL by the heading (WAY), the DVL goes "
-         "otherwise than "
-         "the thrusters push (DRIVE). A sign, an "
-         "axis "
-         "or a unit is wrong, in a driver or in the vehicle's file; both are believed all the "
-         "same, "
-         "and places are wrong.",
+         "compass turns against the gyro or by another share (TURN), depth goes otherwise than "
+         "the DVL sinks (DIVE), fixes go otherwise than the DVL by the heading (WAY), boxes "
+         "move otherwise through the images than the vehicle goes (SEE), the DVL goes "
+         "otherwise than the thrusters push (DRIVE). A sign, an axis, a mounting or a unit is "
+         "wrong, in a driver or in the vehicle's file; both are believed all the same, and "
+         "places are wrong.",
      .action = "Do not dive, or bring the vehicle up. See which of the two is right by hand: turn "
                "the vehicle to starboard, push it ahead, lower it.",
      .clears = "Once they agree in most of five to nine stretches with enough motion."});

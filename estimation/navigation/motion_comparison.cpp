@@ -10,6 +10,7 @@ namespace limpet {
 
 MotionComparison::MotionComparison(const Params& params) : params_(params) {
   LIMPET_REQUIRE(params.stretches >= 3 && params.stretches <= kMost, "a median of some stretches");
+  LIMPET_REQUIRE(params.beside <= params.stretches / 2, "beside the median, among the stretches");
 }
 
 void MotionComparison::Add(double t, const Eigen::Vector2d& way, const Eigen::Vector2d& other) {
@@ -39,8 +40,8 @@ std::optional<MotionComparison::Ratio> MotionComparison::ratio() const {
                            [axis](const Eigen::Vector2d& ratio) { return ratio(axis); });
     std::ranges::sort(sorted);
     result.median_H(axis) = sorted[middle];
-    result.low_H(axis) = sorted[middle - 1];
-    result.high_H(axis) = sorted[middle + 1];
+    result.low_H(axis) = sorted[middle - params_.beside];
+    result.high_H(axis) = sorted[middle + params_.beside];
   }
   return result;
 }

@@ -26,9 +26,10 @@ class MotionComparison {
     /// Nothing said for longer: it begins anew.
     Seconds longest_pause{1.5};
     std::size_t stretches = kMost;  ///< that a ratio takes, an odd number
+    std::size_t beside = 1;         ///< so far from the median low and high are
   };
 
-  /// REQUIRES: 3 to kMost stretches.
+  /// REQUIRES: 3 to kMost stretches, `beside` within them.
   explicit MotionComparison(const Params& params);
 
   /// Both went on by so much up to `t` [s], in one unit and frame.
@@ -37,7 +38,7 @@ class MotionComparison {
   /// axis; (1, 0) of sensors that agree.
   struct Ratio {
     Eigen::Vector2d median_H = Eigen::Vector2d::Zero();
-    /// The next ones below and above: what goes one way and the other by turns shows in them.
+    /// Those `beside` below and above: what goes one way and the other by turns shows in them.
     Eigen::Vector2d low_H = Eigen::Vector2d::Zero(), high_H = Eigen::Vector2d::Zero();
   };
   /// Nothing before there were enough stretches with a way.

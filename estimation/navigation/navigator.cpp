@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 #include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservation.h>
 
@@ -35,6 +36,7 @@ Navigator::Navigator(const NavigatorParams& params)
       tracker_(smoother_, params_.camera, params.objects),
       chain_(params_, smoother_, measurements_),
       compass_(params_.compass, smoother_),
+      box_motion_(params_.camera),
       former_(params.session, smoother_, tracker_),
       aiding_(std::make_unique<AidingSources>(smoother_)) {}
 
@@ -184,6 +186,10 @@ void Navigator::TakeFrame(const Detections& frame) {
                  .path = measurements_.track().PathAt(t),
                  .altitude = measurements_.AltitudeAt(t),
                  .motion = MotionAt(t)};
+  if (from.altitude) {
+    box_motion_.Add(frame, measurements_.track().At(t).X_DB, *from.altitude,
+                    params_.objects.min_confidence);
+  }
   from.x = has_usable ? smoother_.PoseAt(*from.node) : chain_.Predict(t);
   const std::vector<std::optional<int>> landmarks = tracker_.Process(frame, from);
   bool has_changed = has_usable;
@@ -206,6 +212,19 @@ void Navigator::TakeFrame(const Detections& frame) {
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     posed_.back().boxes[i].landmark = landmarks[i];
   }
+}
+
+std::vector<Disagreement> Navigator::Disagreements() const {
+  std::vector<Disagreement> found = measurements_.agreement().Found();
+  if (const auto ratio = box_motion_.Disagreement()) {
+    found.push_back(
+        {SensorAgreement::kSee,
+         fmt::format("boxes go {:.2g} times as far through the images as what they show should, "
+                     "and {:.2g} times across: the camera hangs otherwise than the vehicle's file "
+                     "says, its image is mirrored, or its focal length another",
+                     ratio->median_H.x(), ratio->median_H.y())});
+  }
+  return found;
 }
 
 BodyMotion Navigator::MotionAt(double t) const {

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "estimation/association/object_tracker.hpp"
+#include "estimation/navigation/box_motion.hpp"
 #include "estimation/navigation/former_matching.hpp"
 #include "estimation/navigation/measurement_buffer.hpp"
 #include "estimation/navigation/named_state.hpp"
@@ -94,9 +95,7 @@ class Navigator {
     return chain_.depth_errors().surface_reading();
   }
   /// Sensors that cannot all be right.
-  [[nodiscard]] std::vector<Disagreement> disagreements() const {
-    return measurements_.agreement().Found();
-  }
+  [[nodiscard]] std::vector<Disagreement> Disagreements() const;
   /// REQUIRES: has_started(), and t no older than the chain's head.
   [[nodiscard]] NavigatorEstimate Estimate(double t) const {
     return EstimateAt(t, chain_, smoother_, measurements_);
@@ -159,6 +158,7 @@ class Navigator {
   ObjectTracker tracker_;
   PoseChain chain_;
   Compass compass_;
+  BoxMotion box_motion_;
   FormerMatching former_;
   std::unique_ptr<AidingSources> aiding_;
   std::vector<ObservedFrame> posed_;

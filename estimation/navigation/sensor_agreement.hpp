@@ -26,11 +26,13 @@ struct Disagreement {
 /// - TURN: the compass's heading turns as far as the gyro's yaw.
 /// - DIVE: depth grows by as much as the DVL sinks.
 /// - WAY: at the surface fixes go where the DVL goes, by the heading.
+/// - SEE: boxes move through the images as the vehicle goes over what they show (BoxMotion).
 /// - DRIVE: the DVL goes where the thrusters push; a current turns that by less than a wrong axis.
 class SensorAgreement {
  public:
-  static constexpr std::string_view kTurn = "TURN", kDive = "DIVE", kWay = "WAY", kDrive = "DRIVE";
-  static constexpr std::array kMotions = {kTurn, kDive, kWay, kDrive};
+  static constexpr std::string_view kTurn = "TURN", kDive = "DIVE", kWay = "WAY", kSee = "SEE",
+                                    kDrive = "DRIVE";
+  static constexpr std::array kMotions = {kTurn, kDive, kWay, kSee, kDrive};
 
   /// 1-sigma of the depths of a second [m].
   explicit SensorAgreement(Meters depth_sigma);

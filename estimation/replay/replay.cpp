@@ -89,7 +89,7 @@ class Replayer {
     result_.sources = feed_.Use();
     result_.has_fix = navigator_.has_fix();
     result_.fix_error = navigator_.fix_error();
-    result_.disagreements = navigator_.disagreements();
+    result_.disagreements = navigator_.Disagreements();
     result_.counts.stale_samples += refused_inertial_;
     result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {

@@ -67,6 +67,10 @@ class NavAppTest : public ::testing::Test {
         auto box = BoxOfSphere(camera.InCamera(X_WB, p_W), 0.5, camera);
         if (!box || box->w < 20.0 || box->h < 20.0) continue;
         box->confidence = 0.9, box->color = "yellow";
+        if (is_camera_upside_down_) {
+          box->u = camera.width_px - box->u;
+          box->v = camera.height_px - box->v;
+        }
         seen.boxes.push_back(*box);
       }
       link_.Send(*app_, topics::kDetections, seen);
@@ -92,6 +96,7 @@ class NavAppTest : public ::testing::Test {
   bool has_gps_ = true;
   double gps_off_ = 0.0;  ///< of fixes, north [m]
   double depth_ = 1.0;    ///< as the sensor reads it [m]
+  bool is_camera_upside_down_ = false;
 };
 
 }  // namespace limpet

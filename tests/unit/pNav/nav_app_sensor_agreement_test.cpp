@@ -9,6 +9,7 @@
 
 #include "apps/pNav/nav_app.hpp"
 #include "tests/support/test_link.hpp"
+#include "tests/unit/pNav/nav_app_scene.hpp"
 
 namespace limpet {
 namespace {
@@ -84,6 +85,28 @@ TEST(NavAppSensors, ADepthThatIsCountedUpwardsIsNamed) {
 
 TEST(NavAppSensors, ADvlThatLooksAsternIsNamed) {
   EXPECT_THAT(WarnedOf({.ahead = -1.0, .starboard = -1.0}), ElementsAre("DRIVE"));
+}
+
+/// One after another, so that each is alone in its images.
+std::vector<Eigen::Vector3d> ObjectsOnTheWay() {
+  std::vector<Eigen::Vector3d> objects;
+  for (int i = 0; i < 8; ++i)
+    objects.emplace_back(10.0 + 0.3 * (i % 3), 26.0 + 7.0 * i, 4.4);
+  return objects;
+}
+
+TEST_F(NavAppTest, ACameraThatHangsUpsideDownIsNamed) {
+  is_camera_upside_down_ = true;
+  RunFor(10.0);
+  RunOver(ObjectsOnTheWay(), 100.0);
+  EXPECT_TRUE(app_->warnings().contains("SENSORS_DISAGREE_SEE"));
+}
+
+TEST_F(NavAppTest, ACameraThatHangsAsItsFileSaysIsNot) {
+  RunFor(10.0);
+  RunOver(ObjectsOnTheWay(), 100.0);
+  EXPECT_FALSE(app_->warnings().contains("SENSORS_DISAGREE_SEE"));
+  EXPECT_GT(CountOf("NAV_LANDMARKS"), 0U);
 }
 
 TEST(NavAppSensors, ADvlWithItsAxesSwappedIsNamed) {
