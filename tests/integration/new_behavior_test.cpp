@@ -89,6 +89,8 @@ std::string BlockOf(const std::string& type, double weight) {
 /// The first two minutes of a survey of the basin: some 60 m of way, less than half of what it
 /// takes.
 constexpr double kWatched = 120.0;  // [s]
+/// And the half minute until the first path is flown.
+constexpr Seconds kFlown(165.0);
 
 struct Beginning {
   std::vector<HelmPath> paths;
@@ -109,7 +111,7 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
                          .run_folder = folder.path() / "discovery",
                          .prior_folder = {},
                          .seed = seed,
-                         .longest = Seconds(200.0)};
+                         .longest = kFlown};
   Beginning beginning;
   std::optional<double> begin_s;
   int north = 0, poses = 0;
