@@ -27,12 +27,12 @@ constexpr double kBackwards = -0.25, kTooFast = 6.0, kAcross = 0.8;
 
 SensorAgreement::SensorAgreement(Meters depth_sigma)
     : turn_({.stretch = Seconds(2.0), .least = kLeastTurn}),
-      // A dive is over soon.
+      // A dive is over soon, and a vehicle that drives the wrong way is gone soon.
       dive_({.stretch = Seconds(2.0),
              .least = std::max(kLeastDive, kDepthSigmas * depth_sigma.value()),
              .stretches = 5}),
       way_({.stretch = Seconds(30.0), .least = kLeastWay, .longest_pause = Seconds(5.0)}),
-      drive_({.stretch = Seconds(10.0), .least = kLeastDriven}) {}
+      drive_({.stretch = Seconds(10.0), .least = kLeastDriven, .stretches = 5}) {}
 
 void SensorAgreement::AddHeadings(double t, const Headings& headings) {
   const Headings before = last_headings_.value_or(headings);
