@@ -12,9 +12,9 @@ constexpr double kSlower = 0.3, kFaster = 3.5;
 constexpr double kAcross = 0.6;     // times as far across: a camera turned by more than 30 degrees
 constexpr double kLeastPair = 0.2;  // times as far from one image to the next, of one thing
 constexpr double kMostPair = 5.0;
-constexpr double kNoise = 6.0;  // [px] of that, whatever the way
-constexpr double kAlike = 0.8;  // spread of ratios that say the same
-constexpr double kDown = 1e-3;  // least cosine of a ray that meets the seabed
+constexpr double kPairNoise = 6.0;      // [px] of that, whatever the way
+constexpr double kAlike = 0.8;          // spread of ratios that say the same
+constexpr double kLeastDescent = 1e-3;  // least cosine of a ray that meets the seabed
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::optional<Eigen::Vector2d> BoxMotion::SeenFrom(const Pose& X_DB,
                                                    const Eigen::Vector2d& pixel) const {
   const Eigen::Vector3d ray_D =
       RotationOf(last_->X_DB) * camera_.R_BC * camera_.RayOf(pixel.x(), pixel.y());
-  if (ray_D.z() < kDown) return std::nullopt;
+  if (ray_D.z() < kLeastDescent) return std::nullopt;
   const Eigen::Vector3d eye_D = last_->X_DB.p_WB + RotationOf(last_->X_DB) * camera_.p_BC;
   const double below = last_->altitude + last_->X_DB.p_WB.z() - eye_D.z();
   if (!(below > 0.0)) return std::nullopt;
@@ -57,8 +57,8 @@ void BoxMotion::Add(const Detections& frame, const Pose& X_DB, double altitude,
       if (!expected_px) continue;
       const Eigen::Vector2d way = *expected_px - *before->second;
       const Eigen::Vector2d moved = *middle_px - *before->second;
-      const bool is_one_thing = moved.norm() <= kMostPair * way.norm() + kNoise &&
-                                moved.norm() >= kLeastPair * way.norm() - kNoise;
+      const bool is_one_thing = moved.norm() <= kMostPair * way.norm() + kPairNoise &&
+                                moved.norm() >= kLeastPair * way.norm() - kPairNoise;
       if (!is_one_thing) continue;
       comparison_.Add(now.t, way, moved);
       break;  // one thing a time: ways of several do not add up to a stretch

@@ -221,7 +221,7 @@ std::vector<Disagreement> Navigator::Disagreements() const {
         {SensorAgreement::kSee,
          fmt::format("boxes go {:.2g} times as far through the images as what they show should, "
                      "and {:.2g} times across: the camera hangs otherwise than the vehicle's file "
-                     "says, its image is mirrored, or its focal length another",
+                     "says, or its focal length is another",
                      ratio->median_H.x(), ratio->median_H.y())});
   }
   return found;

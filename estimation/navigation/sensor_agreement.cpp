@@ -11,14 +11,14 @@
 namespace limpet {
 namespace {
 
-constexpr double kLeastTurn = 0.2;          // [rad] of a stretch: a dozen times a heading's noise
-constexpr double kLeastDive = 0.3;          // [m] of a stretch
-constexpr double kDepthSigmas = 14.0;       // and so many of a second's depth
-constexpr double kLeastWay = 12.0;          // [m] of a stretch
-constexpr double kWorstFix = 1.5;           // [m] 1-sigma of fixes that tell of it
-constexpr double kLeastDriven = 2.0;        // [m] of a stretch
-constexpr double kLess = 0.5, kMore = 2.0;  // times as far: still the same motion
-constexpr double kAside = 0.5;              // times as far across it: some 30 degrees
+constexpr double kLeastTurn = 0.2;     // [rad] of a stretch: a dozen times a heading's noise
+constexpr double kLeastDive = 0.3;     // [m] of a stretch
+constexpr double kDepthSigmas = 14.0;  // and so many of a second's depth
+constexpr double kLeastWay = 12.0;     // [m] of a stretch
+constexpr double kWorstFix = 1.5;      // [m] 1-sigma of fixes that tell of it
+constexpr double kLeastDriven = 2.0;   // [m] of a stretch
+constexpr double kLeastRatio = 0.5, kMostRatio = 2.0;  // times as far: still the same motion
+constexpr double kAside = 0.5;                         // times as far across it: some 30 degrees
 // Thrust may be half or twice of what the hull's sheet says, and the water may go half as fast as
 // the vehicle, so along and across the thrust these are still possible.
 constexpr double kBackwards = -0.25, kTooFast = 6.0, kAcross = 0.8;
@@ -66,7 +66,7 @@ void SensorAgreement::AddDrive(double t, const Eigen::Vector2d& driven_H,
 
 std::vector<Disagreement> SensorAgreement::Found() const {
   std::vector<Disagreement> found;
-  const auto is_other = [](double ratio) { return !(ratio >= kLess && ratio <= kMore); };
+  const auto is_other = [](double ratio) { return !(ratio >= kLeastRatio && ratio <= kMostRatio); };
   if (const auto turn = turn_.ratio(); turn && is_other(turn->median_H.x())) {
     found.push_back(
         {kTurn,
