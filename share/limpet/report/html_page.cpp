@@ -33,7 +33,7 @@ std::string Title(std::string name) {
   return EscapedMarkup(name);
 }
 
-std::string Place(const Eigen::Vector3d& p) {
+std::string PlaceCells(const Eigen::Vector3d& p) {
   const auto cell = [](double x) {
     return fmt::format("<td>{}{:.2f}</td>", x < -0.005 ? "\u2212" : "", std::abs(x));
   };
@@ -116,8 +116,8 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format(
         "<tr><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td><td>{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        EscapedMarkup(opi.truth), Place(opi.belief.object.p_W), Place(opi.belief.object.sd_W()),
-        opi.error_m, opi.aligned_error_m, opi.belief.looks,
+        EscapedMarkup(opi.truth), PlaceCells(opi.belief.object.p_W),
+        PlaceCells(opi.belief.object.sd_W()), opi.error_m, opi.aligned_error_m, opi.belief.looks,
         EscapedMarkup(ProbabilityText(opi.belief.posterior.present())),
         Judged(opi.error_m <= kGoodError,
                opi.error_m <= kGoodError ? "found" : "found, misplaced"));
@@ -130,7 +130,7 @@ std::string ObjectsTable(const SessionScore& session) {
     out += fmt::format(
         "<tr><td>nothing</td>{}<td colspan=\"6\"></td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
-        Place(opi.object.p_W), EscapedMarkup(ProbabilityText(opi.posterior.present())),
+        PlaceCells(opi.object.p_W), EscapedMarkup(ProbabilityText(opi.posterior.present())),
         Judged(false, "invented"));
   }
   return out + "</table></div>\n";
@@ -145,7 +145,7 @@ std::string ReportedObjectsTable(const SessionScore& session) {
   for (const OpiBelief& opi : session.opis.reported) {
     out += fmt::format("<tr><td>{}</td>{}{}<td>{}</td><td>{}</td></tr>\n",
                        EscapedMarkup(fmt::format("id {}, {}", opi.id, opi.object.color)),
-                       Place(opi.object.p_W), Place(opi.object.sd_W()), opi.looks,
+                       PlaceCells(opi.object.p_W), PlaceCells(opi.object.sd_W()), opi.looks,
                        EscapedMarkup(ProbabilityText(opi.posterior.present())));
   }
   return out + "</table></div>\n";
@@ -162,7 +162,7 @@ std::string DecisionsTable(const SessionScore& session) {
       "class=\"left\">decided<th>P</tr>\n";
   for (const ChangeScore& change : session.opis.changes) {
     out += fmt::format("<tr>{}<td class=\"left\">{}</td><td>{}</td></tr>\n",
-                       change.p_W ? Place(*change.p_W) : "<td colspan=\"3\"></td>",
+                       change.p_W ? PlaceCells(*change.p_W) : "<td colspan=\"3\"></td>",
                        EscapedMarkup(change.decided),
                        EscapedMarkup(ProbabilityText(change.probability)));
   }
@@ -186,7 +186,7 @@ std::string ChangesTable(const SessionScore& session) {
         "<tr><td>{}</td>{}<td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
         "class=\"left\">{}</td></tr>\n",
         EscapedMarkup(change.truth.value_or("nothing")),
-        change.p_W ? Place(*change.p_W) : "<td colspan=\"3\">not known to the vehicle</td>",
+        change.p_W ? PlaceCells(*change.p_W) : "<td colspan=\"3\">not known to the vehicle</td>",
         EscapedMarkup(change.expected.value_or("nothing there")), EscapedMarkup(change.decided),
         EscapedMarkup(ProbabilityText(change.probability)), ChangeVerdict(change));
   }

@@ -23,7 +23,9 @@ RunScore BriefRun(bool has_mistakes) {
 }
 
 TEST(TerminalReport, IsPlainWithoutATerminal) {
-  EXPECT_THAT(TerminalReport(BriefRun(false), false), Not(HasSubstr("\033")));
+  const std::string text = TerminalReport(BriefRun(false), false);
+  EXPECT_THAT(text, Not(HasSubstr("\033")));
+  EXPECT_THAT(text, Not(HasSubstr("<td>")));
 }
 
 TEST(TerminalReport, NamesAWrongStatusAndAMissedObject) {
