@@ -20,7 +20,7 @@ constexpr double kLongestBridged = 1800.0;  // [s] that are bridged
 constexpr double kTogether = 5.0;           // [s] between rows of one clock
 constexpr std::size_t kAsked = 20, kAgreeing = 14;  // rows that show where the clock is
 
-double TimeOf(const StreamRow& row) {
+double StampOf(const StreamRow& row) {
   if (const auto* frame = std::get_if<FrameRow>(&row)) return frame->arrival;
   return std::visit(
       [](const auto& one) {
@@ -97,21 +97,21 @@ class ClockMender {
     const double leap = LeapOf(i);
     return leap < -kBack || leap > kAhead || (leap > kBack && IsOnTheFormerClock(i));
   }
-  [[nodiscard]] double LeapOf(std::size_t i) const { return TimeOf(rows_[i]) - by() - *newest_; }
+  [[nodiscard]] double LeapOf(std::size_t i) const { return StampOf(rows_[i]) - by() - *newest_; }
   [[nodiscard]] bool IsOnTheFormerClock(std::size_t i) const {
     if (stretches_.size() < 2) return false;
     const double former = stretches_[stretches_.size() - 2].by;
-    return std::abs(TimeOf(rows_[i]) - former - *newest_) < kBack;
+    return std::abs(StampOf(rows_[i]) - former - *newest_) < kBack;
   }
   /// Whether most of the rows that follow have about this row's time; some may have been measured
   /// before.
   [[nodiscard]] bool IsAgreedFrom(std::size_t i) const {
     if (i + kAsked > rows_.size()) return false;
-    const double t = TimeOf(rows_[i]);
+    const double t = StampOf(rows_[i]);
     const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(i);
     const auto agreeing =
         std::count_if(first, first + static_cast<std::ptrdiff_t>(kAsked),
-                      [t](const StreamRow& row) { return std::abs(TimeOf(row) - t) < kTogether; });
+                      [t](const StreamRow& row) { return std::abs(StampOf(row) - t) < kTogether; });
     return static_cast<std::size_t>(agreeing) >= kAgreeing;
   }
   /// Nothing tells a short pause from a clock that was set ahead, but that several sensors leap at
@@ -145,9 +145,9 @@ class ClockMender {
   /// Until attitude and depth have been said again.
   [[nodiscard]] AttitudeAndDepth AttitudeAndDepthFrom(std::size_t i) const {
     AttitudeAndDepth next;
-    const double t = TimeOf(rows_[i]);
+    const double t = StampOf(rows_[i]);
     for (; i < rows_.size() && !next.IsWhole(); ++i) {
-      if (std::abs(TimeOf(rows_[i]) - t) < kTogether) next.Note(rows_[i]);
+      if (std::abs(StampOf(rows_[i]) - t) < kTogether) next.Note(rows_[i]);
     }
     return next;
   }
@@ -158,7 +158,7 @@ class ClockMender {
     const double leap = LeapOf(i);
     if (i < kAsked && leap > 0.0) {
       stray_ = i;
-      newest_ = TimeOf(rows_[i]) - by();
+      newest_ = StampOf(rows_[i]) - by();
       return true;
     }
     if (leap < 0.0 || IsOnTheFormerClock(i) || before_.GoesOnAs(AttitudeAndDepthFrom(i))) {
@@ -172,12 +172,12 @@ class ClockMender {
           name_, *newest_, leap);
       return false;
     }
-    newest_ = TimeOf(rows_[i]) - by();
+    newest_ = StampOf(rows_[i]) - by();
     return true;
   }
 
   void Step(std::size_t i) {
-    const double stamped = TimeOf(rows_[i]);
+    const double stamped = StampOf(rows_[i]);
     const double leap = LeapOf(i);
     stretches_.push_back({.from = stamped, .by = by() + leap + LatenessOf(i)});
     stream_.left_out.push_back(fmt::format(
@@ -189,7 +189,7 @@ class ClockMender {
   [[nodiscard]] double LatenessOf(std::size_t i) const {
     for (std::size_t j = i; j-- > 0;) {
       if (rows_[j].index() == rows_[i].index())
-        return std::max(0.0, newest_at_[j] - TimeOf(rows_[j]));
+        return std::max(0.0, newest_at_[j] - StampOf(rows_[j]));
     }
     return 0.0;
   }
@@ -213,7 +213,7 @@ class ClockMender {
           }
         },
         row);
-    const double t = TimeOf(row);
+    const double t = StampOf(row);
     if (std::isfinite(t) && (!newest_ || (t > *newest_ && t < *newest_ + kAhead))) newest_ = t;
     newest_at_.push_back(newest_.value_or(t));
   }

@@ -11,7 +11,7 @@ namespace {
 
 /// The types that a file defines in named namespaces. Relies on the house's format: what stands in
 /// a namespace is not indented, and a closing brace says what it closes.
-std::vector<std::string> TypesOf(const SourceFile& file) {
+std::vector<std::string> TypesDefinedIn(const SourceFile& file) {
   static const std::regex kType(R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: :[^;]*)? ?\{)");
   static const std::regex kOpening(R"(^namespace ([\w:]+) \{)");
   std::vector<std::string> types, spaces;
@@ -41,7 +41,7 @@ std::vector<std::string> TypesOf(const SourceFile& file) {
 std::vector<std::string> TypesDefinedTwice(const std::vector<SourceFile>& files) {
   std::map<std::string, std::vector<std::string>> definers;
   for (const SourceFile& file : files) {
-    for (const std::string& type : TypesOf(file)) {
+    for (const std::string& type : TypesDefinedIn(file)) {
       definers[type].push_back(file.path);
     }
   }

@@ -133,7 +133,7 @@ std::string FormatOf(const Arguments& given) {
 }
 
 /// Throws Refusal where nobody knows where on earth the objects are.
-std::string TextOf(const SessionComparison& comparison, const std::string& format) {
+std::string ComparisonText(const SessionComparison& comparison, const std::string& format) {
   if (format == "csv") return ChangesToCsv(comparison);
   const std::optional<GeoPoint> datum = DatumOf(comparison.b);
   if (!datum) {
@@ -157,10 +157,10 @@ int PrintComparison(const Arguments& given) {
                  "note: {} has the last step alone, {} to {}; each object's history is in json\n",
                  format, NameOfSession(sessions.size() - 2), NameOfSession(sessions.size() - 1));
     }
-    text = format == "json" ? Json(series) : TextOf(series.steps.back(), format);
+    text = format == "json" ? Json(series) : ComparisonText(series.steps.back(), format);
   } else {
     const SessionComparison comparison = CompareSessions(sessions[0], sessions[1], mission);
-    text = format == "json" ? Json(comparison) : TextOf(comparison, format);
+    text = format == "json" ? Json(comparison) : ComparisonText(comparison, format);
   }
   CommandOutput output(given.Find("out"), given.Has("force"), *given.Find("session-b"));
   output.Write(text);

@@ -73,7 +73,7 @@ Command CheckForm() {
       .most_words = 1};
 }
 
-nlohmann::ordered_json JsonOf(const std::vector<ConfigProblem>& problems) {
+nlohmann::ordered_json ProblemsJson(const std::vector<ConfigProblem>& problems) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ConfigProblem& problem : problems) {
     list.push_back({{"file", problem.where.file},
@@ -131,7 +131,7 @@ bool IsSame(const ConfigProblem& a, const ConfigProblem& b) {
 }
 
 /// `file:line: key: text`; a note says so before its key, and behind its text if ours refuses it.
-std::string TextOf(const CheckLine& line) {
+std::string LineText(const CheckLine& line) {
   ConfigProblem shown = line.problem;
   if (line.is_refused_here) shown.text += " [Limpet's own would not start with this]";
   if (line.is_note) shown.key = shown.key.empty() ? "note" : "note: " + shown.key;
@@ -173,7 +173,7 @@ void PrintLines(const MissionProblems& found) {
     return std::tie(line.problem.where.file, line.problem.where.line);
   });
   for (const CheckLine& line : lines) {
-    fmt::print("{}\n", TextOf(line));
+    fmt::print("{}\n", LineText(line));
   }
   if (found.energy) {
     fmt::print(
@@ -229,10 +229,10 @@ int CheckInText(const Arguments& given, const CheckedMission& checked,
 /// One object, with `dry_run` if that is asked for: null if the mission is not fit to be flown.
 int CheckInJson(const Arguments& given, const CheckedMission& checked,
                 const MissionProblems& found) {
-  nlohmann::ordered_json out{{"syntax", JsonOf(found.syntax)},
-                             {"geometry", JsonOf(found.geometry)},
-                             {"notes", JsonOf(found.notes)},
-                             {"refused_here", JsonOf(found.refused_here)},
+  nlohmann::ordered_json out{{"syntax", ProblemsJson(found.syntax)},
+                             {"geometry", ProblemsJson(found.geometry)},
+                             {"notes", ProblemsJson(found.notes)},
+                             {"refused_here", ProblemsJson(found.refused_here)},
                              {"energy", EnergyJson(found.energy)}};
   int code = CodeOf(found);
   if (given.Has("dry-run")) {

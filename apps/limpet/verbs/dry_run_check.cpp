@@ -56,14 +56,14 @@ std::string LineOf(const SeedFlight& flown) {
                      remarks.empty() ? "" : fmt::format("; note: {}", fmt::join(remarks, "; ")));
 }
 
-nlohmann::ordered_json JsonOf(const TrippedRule& tripped) {
+nlohmann::ordered_json RuleJson(const TrippedRule& tripped) {
   return {{"rule", tripped.rule},       {"action", tripped.action},   {"phase", tripped.phase},
           {"after_s", tripped.after_s}, {"north_m", tripped.north_m}, {"east_m", tripped.east_m},
           {"down_m", tripped.down_m}};
 }
 
 /// Null without a battery.
-nlohmann::ordered_json JsonOf(const std::optional<FlightEnergy>& energy) {
+nlohmann::ordered_json FlightEnergyJson(const std::optional<FlightEnergy>& energy) {
   if (!energy) return nullptr;
   return {{"used_wh", energy->used_wh},
           {"left_wh", energy->left_wh},
@@ -71,16 +71,16 @@ nlohmann::ordered_json JsonOf(const std::optional<FlightEnergy>& energy) {
           {"is_empty", energy->is_off}};
 }
 
-nlohmann::ordered_json JsonOf(const SeedFlight& flown) {
+nlohmann::ordered_json FlightJson(const SeedFlight& flown) {
   const DryFlight& flight = flown.flight;
   nlohmann::ordered_json rules = nlohmann::ordered_json::array();
   for (const TrippedRule& tripped : flight.tripped) {
-    rules.push_back(JsonOf(tripped));
+    rules.push_back(RuleJson(tripped));
   }
   return {{"seed", flown.seed},       {"session", flight.session},
           {"ended", flight.ended},    {"duration_s", flight.duration_s},
           {"way_m", flight.way_m},    {"home_error_m", flight.home_error_m},
-          {"down_m", flight.down_m},  {"energy", JsonOf(flight.energy)},
+          {"down_m", flight.down_m},  {"energy", FlightEnergyJson(flight.energy)},
           {"rules", rules},           {"objections", flight.Objections()},
           {"notes", flight.Remarks()}};
 }
@@ -139,7 +139,7 @@ void PrintVerdict(const DryRun& run) {
 nlohmann::ordered_json JsonOf(const DryRun& run) {
   nlohmann::ordered_json flights = nlohmann::ordered_json::array();
   for (const SeedFlight& flown : run.flights) {
-    flights.push_back(JsonOf(flown));
+    flights.push_back(FlightJson(flown));
   }
   return {{"is_refused", run.refused() > 0},
           {"is_interrupted", run.is_interrupted},

@@ -26,7 +26,7 @@ void PrintHelp() {
       "`limpet log <command> --help` says more.\n");
 }
 
-const LogCommand& CommandOf(const std::string& word) {
+const LogCommand& CommandNamed(const std::string& word) {
   std::vector<std::string> names;
   for (const LogCommand* command : kCommands) {
     if (word == command->name) {
@@ -47,7 +47,7 @@ int RunLog(std::span<const std::string> args) {
     PrintHelp();
     return args.empty() ? kUsage : kOk;
   }
-  const LogCommand& command = CommandOf(args[0]);
+  const LogCommand& command = CommandNamed(args[0]);
   return RunCommand(command.form(), args.subspan(1), command.run);
 }
 

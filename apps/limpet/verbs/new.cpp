@@ -131,7 +131,7 @@ std::vector<NewFile> FilesFor(const Kind& kind, const std::string& name, const f
   return files;
 }
 
-void Write(const NewFile& file) {
+void WriteNew(const NewFile& file) {
   fs::create_directories(file.path.parent_path());
   std::ofstream output(file.path, std::ios::binary);
   output << file.text;
@@ -154,7 +154,7 @@ int MakeNew(const Arguments& given) {
   for (const NewFile& file : files) {
     const bool is_kept = fs::exists(file.path);
     if (!is_kept) {
-      Write(file);
+      WriteNew(file);
     }
     fmt::print("{:<8} {}\n", is_kept ? "kept" : "written", OneLine(file.path.string()));
   }

@@ -74,7 +74,7 @@ int ListRules(std::span<const std::string> missions) {
   return kOk;
 }
 
-std::string TextOf(const SafetyTrialResult& result) {
+std::string TrialText(const SafetyTrialResult& result) {
   std::string answer = result.instead.empty() ? "-" : "other rule";
   if (result.action != SafetyAction::kNone) {
     answer = fmt::format("{} {:.1f} s", NameOf(result.action), result.after_s);
@@ -97,7 +97,7 @@ void FlyRow(const MissionFile& mission, const TrialPlaces& places, const SafetyC
       continue;
     }
     const SafetyTrialResult result = FlySafetyTrial(mission, places, tested, phase, seed);
-    fmt::print("{:<15}", TextOf(result));
+    fmt::print("{:<15}", TrialText(result));
     std::fflush(stdout);
     const auto remark = [&](std::vector<std::string>& lines, const std::string& text) {
       if (!text.empty()) {

@@ -127,7 +127,7 @@ std::vector<std::string> KeptSessions(RunFolder& folder, const SurveyCommand& co
   return kept;
 }
 
-MissionFile MissionWith(const SurveyCommand& command) {
+MissionFile SurveyMission(const SurveyCommand& command) {
   MissionFile mission = LoadMission(FlownMissionAt(command.mission_folder));
   for (const std::string& setting : command.settings) {
     ApplySetting(mission, setting);
@@ -139,7 +139,7 @@ class SurveyRun {
  public:
   explicit SurveyRun(SurveyCommand command)
       : command_(std::move(command)),
-        mission_(MissionWith(command_)),
+        mission_(SurveyMission(command_)),
         scenario_(LoadScenario(ScenarioFileOf(mission_, command_.mission_folder))) {
     expectations_ =
         LoadExpectations(command_.mission_folder, scenario_, mission_.Global(kVehicleFileGlobal));

@@ -75,7 +75,7 @@ TablesCommand ReadTablesCommand(const Arguments& given) {
   return command;
 }
 
-std::string TextOf(const fs::path& path) {
+std::string ReadText(const fs::path& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
@@ -103,7 +103,7 @@ RunStatistics Gather(const TablesCommand& command) {
   statistics.mission = command.MissionName();
   for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
     if (!fs::exists(command.EndMark(seed))) continue;
-    const auto error = statistics.Add(TextOf(command.RunFolder(seed) / "report.json"));
+    const auto error = statistics.Add(ReadText(command.RunFolder(seed) / "report.json"));
     if (error) statistics.failed.push_back(static_cast<std::uint64_t>(seed));
   }
   return statistics;
@@ -115,7 +115,7 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
   for (int seed = command.first_seed; seed < command.first_seed + command.runs; ++seed) {
     const fs::path report = command.RunFolder(seed) / "report.json";
     if (!fs::exists(command.EndMark(seed)) || !fs::exists(report)) continue;
-    const ExpectationCheck check = CheckReport(expected, TextOf(report));
+    const ExpectationCheck check = CheckReport(expected, ReadText(report));
     if (check.is_other_method) return true;
     ++runs;
     kept += check.is_kept() ? 1 : 0;

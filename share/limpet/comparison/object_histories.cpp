@@ -148,7 +148,7 @@ class HistoryKeeper {
   SessionSeries series_;
 };
 
-OrderedJson JsonOf(const HistoryEntry& entry, std::size_t session) {
+OrderedJson EntryJson(const HistoryEntry& entry, std::size_t session) {
   return {{"session", session + 1},
           {"decided", NameOf(entry.decided)},
           {"back", entry.is_back},
@@ -157,10 +157,10 @@ OrderedJson JsonOf(const HistoryEntry& entry, std::size_t session) {
           {"posterior", entry.posterior ? JsonOf(*entry.posterior) : OrderedJson(nullptr)}};
 }
 
-OrderedJson JsonOf(const ObjectHistory& object) {
+OrderedJson HistoryJson(const ObjectHistory& object) {
   OrderedJson entries = OrderedJson::array();
   for (std::size_t i = 0; i < object.entries.size(); ++i)
-    entries.push_back(JsonOf(object.entries[i], object.since + i));
+    entries.push_back(EntryJson(object.entries[i], object.since + i));
   return {{"color", object.color},
           {"ned_m", {object.p_W.x(), object.p_W.y(), object.p_W.z()}},
           {"placed_in", object.placed_in + 1},
@@ -197,7 +197,7 @@ std::string Json(const SessionSeries& series) {
   for (const SessionComparison& step : series.steps)
     steps.push_back(JsonOf(step));
   for (const ObjectHistory& object : series.objects)
-    objects.push_back(JsonOf(object));
+    objects.push_back(HistoryJson(object));
   out["changes_of"] = {series.sessions.size() - 1, series.sessions.size()};
   out["sessions"] = std::move(sessions);
   out["steps"] = std::move(steps);

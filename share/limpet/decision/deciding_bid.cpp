@@ -27,7 +27,7 @@ const BiddenOption& WinnerWithout(const HelmBids& bids, const std::string& behav
   return *best;
 }
 
-double WeightOf(const HelmBids& bids, const std::string& behavior) {
+double DecisiveGain(const HelmBids& bids, const std::string& behavior) {
   const BiddenOption& chosen = bids.options.front();
   const double given = ContributionTo(chosen, behavior, bids.order);
   const BiddenOption& other = WinnerWithout(bids, behavior);
@@ -58,7 +58,7 @@ std::optional<DecidingBid> DecidingBidOf(const HelmBids& bids) {
   double most = 0.0;
   for (const WeightedBid& bid : bids.options.front().bids) {
     if (!BidsAnything(bids, bid.behavior)) continue;  // e.g. one that only forbids
-    const double weight = WeightOf(bids, bid.behavior);
+    const double weight = DecisiveGain(bids, bid.behavior);
     if (deciding && weight <= most) continue;
     deciding = DecidingBid{bid.behavior, PurposeOf(bid.bid)};
     most = weight;

@@ -42,7 +42,7 @@ std::string Raisers(const std::vector<std::string>& raisers) {
   return raisers.empty() ? "every app" : fmt::format("{}", fmt::join(raisers, ", "));
 }
 
-std::string PlainText(const WarningDeclaration& warning) {
+std::string WarningText(const WarningDeclaration& warning) {
   const WarningFacts& facts = warning.facts;
   return fmt::format("{}: {}, raised by {}\n  meaning  {}\n  to do    {}\n  clears   {}\n",
                      warning.id, NameOf(facts.severity), Raisers(facts.raised_by), facts.meaning,
@@ -54,7 +54,7 @@ std::string PlainText(const WarningDeclaration& warning) {
 std::string PlainText(const WarningList& list) {
   std::string text;
   for (const WarningDeclaration& warning : list.warnings) {
-    text += (text.empty() ? "" : "\n") + PlainText(warning);
+    text += (text.empty() ? "" : "\n") + WarningText(warning);
   }
   for (const auto& [id, facts] : list.events) {
     text +=

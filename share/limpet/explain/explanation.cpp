@@ -11,7 +11,7 @@
 namespace limpet {
 namespace {
 
-const char* UnitOf(OptionOrder order) {
+const char* UnitOfBids(OptionOrder order) {
   return order == OptionOrder::kPerMetre ? " per metre" : " in total";
 }
 
@@ -45,7 +45,7 @@ std::string WhyLost(const BiddenOption& option, const HelmBids& bids, std::size_
   }
   const Deficit most = DeficitsOf(option, winner, bidders, bids.order).front();
   const bool is_all_of_it = std::abs(most.value - behind) < 0.005 * behind;
-  return fmt::format("{:.3g} less{}, {} {}", behind, UnitOf(bids.order),
+  return fmt::format("{:.3g} less{}, {} {}", behind, UnitOfBids(bids.order),
                      is_all_of_it ? "by" : "most by", most.behavior);
 }
 

@@ -18,7 +18,9 @@ using Cell = TextTable::Cell;
 /// Names come from other people's files.
 std::string Shown(const std::string& name) { return OneLine(name, 24); }
 
-void Add(const Frame& more, Frame& frame) { frame.insert(frame.end(), more.begin(), more.end()); }
+void Append(const Frame& more, Frame& frame) {
+  frame.insert(frame.end(), more.begin(), more.end());
+}
 
 FrameLine Line(const std::string& text, Ink ink = Ink::kPlain) {
   FrameLine line;
@@ -157,7 +159,7 @@ Frame MotionTable(const LoggedMotion& logged) {
   Frame frame{Line(fmt::format("  moving now ({:.1f} s): course {}, speed {}, depth {}",
                                logged.time, Shown(motion.course_deg, " deg"),
                                Shown(motion.speed_mps, " m/s"), Shown(motion.depth_m, " m")))};
-  Add(table.Lines(), frame);
+  Append(table.Lines(), frame);
   return frame;
 }
 
@@ -170,12 +172,12 @@ Frame FrameOf(const Explanation& explanation) {
       Line(fmt::format("{:.1f} s: path {}, decided because: {}; ranked by {}", explanation.time,
                        explanation.path_id, OneLine(explanation.cause, 60), ranking),
            Ink::kTitle)};
-  Add(OptionTable(explanation), frame);
+  Append(OptionTable(explanation), frame);
   if (explanation.chosen) {
     frame.emplace_back();
-    Add(Reasons(explanation.options[*explanation.chosen]), frame);
+    Append(Reasons(explanation.options[*explanation.chosen]), frame);
     frame.emplace_back();
-    Add(FlipTable(explanation), frame);
+    Append(FlipTable(explanation), frame);
   } else {
     frame.push_back(Line(explanation.options.empty()
                              ? "  Nothing was chosen: nobody offered anything."
@@ -183,7 +185,7 @@ Frame FrameOf(const Explanation& explanation) {
   }
   if (explanation.motion) {
     frame.emplace_back();
-    Add(MotionTable(*explanation.motion), frame);
+    Append(MotionTable(*explanation.motion), frame);
   }
   return frame;
 }
@@ -191,7 +193,7 @@ Frame FrameOf(const Explanation& explanation) {
 Frame FrameOfMotion(const Explanation& explanation) {
   Frame frame{Line(fmt::format("{:.1f} s: {}", explanation.time, OneLine(explanation.cause, 60)),
                    Ink::kTitle)};
-  if (explanation.motion) Add(MotionTable(*explanation.motion), frame);
+  if (explanation.motion) Append(MotionTable(*explanation.motion), frame);
   return frame;
 }
 

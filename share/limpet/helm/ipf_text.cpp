@@ -32,7 +32,7 @@ struct Piece {
   double constant = 0.0;          ///< at index 0
 };
 
-const std::optional<Peak>& PeakOf(MotionVariable variable, const MotionBid& bid) {
+const std::optional<Peak>& PeakAlong(MotionVariable variable, const MotionBid& bid) {
   return variable == MotionVariable::kCourse  ? bid.course
          : variable == MotionVariable::kSpeed ? bid.speed
                                               : bid.depth;
@@ -58,7 +58,7 @@ class IndexedBid {
       const std::size_t v = IndexOf(variable);
       const std::optional<MotionAxis>& axis = domain.axis(variable);
       if (!axis) continue;
-      const std::optional<Peak>& peak = PeakOf(variable, bid);
+      const std::optional<Peak>& peak = PeakAlong(variable, bid);
       const bool is_joined = table_ != nullptr && table_->Covers(variable);
       if (peak) values_[v] = ValuesOf(*peak, *axis, variable), shares_ += peak->share;
       if (!peak && is_joined) values_[v].assign(static_cast<std::size_t>(axis->points), 0.0);

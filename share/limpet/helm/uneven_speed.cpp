@@ -12,7 +12,7 @@ namespace {
 constexpr double kSlow = 0.1, kFaster = 0.4;  ///< [m/s]; the second beyond the wanted speed
 constexpr double kFastValue = 0.2;
 
-int NearestPoint(double speed, const MotionAxis& axis) {
+int NearestIndex(double speed, const MotionAxis& axis) {
   const double point = std::floor((speed - axis.low) / axis.step() + 0.5);
   return static_cast<int>(std::clamp(point, 0.0, axis.points - 1.0));
 }
@@ -21,10 +21,10 @@ int NearestPoint(double speed, const MotionAxis& axis) {
 class Knees {
  public:
   Knees(const WantedSpeed& wanted, const MotionAxis& axis) {
-    const int last = axis.points - 1, top = NearestPoint(wanted.speed, axis);
-    const int slow = std::min(NearestPoint(kSlow, axis), top);
+    const int last = axis.points - 1, top = NearestIndex(wanted.speed, axis);
+    const int slow = std::min(NearestIndex(kSlow, axis), top);
     const double faster = wanted.speed + kFaster;
-    const int fast = std::max(NearestPoint(faster, axis), top);
+    const int fast = std::max(NearestIndex(faster, axis), top);
     if (top != 0) Add(0, 0.0);
     if (slow != 0 && slow != top) Add(slow, wanted.slow_value);
     Add(top, 1.0);
@@ -62,7 +62,7 @@ const MotionTable* UnevenSpeed::Around(const WantedSpeed& wanted, const MotionDo
   const MotionAxis& axis = *domain.speed;
   const Knees knees(wanted, axis);
   table_->Fill(
-      [&](const MotionPoint& at) { return wanted.share * knees.At(NearestPoint(at.speed, axis)); });
+      [&](const MotionPoint& at) { return wanted.share * knees.At(NearestIndex(at.speed, axis)); });
   return &*table_;
 }
 

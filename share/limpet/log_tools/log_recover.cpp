@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void PrintJson(const LogInput& input, const AlogRecovery& recovery, const CommandOutput& output) {
+void PrintRecoveryJson(const LogInput& input, const AlogRecovery& recovery,
+                       const CommandOutput& output) {
   const nlohmann::ordered_json out{{"from", input.file().string()},
                                    {"to", output.path().string()},
                                    {"entries", recovery.entries()},
@@ -87,7 +88,7 @@ int RunRecover(const Arguments& given) {
   }
   output.Commit();
   if (given.Has("json")) {
-    PrintJson(input, recovery, output);
+    PrintRecoveryJson(input, recovery, output);
   } else {
     PrintText(input, recovery, output);
   }

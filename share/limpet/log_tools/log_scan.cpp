@@ -89,7 +89,7 @@ OrderedJson JsonOf(const VariableStatistics& variable) {
       {"numbers", variable.numbers.count > 0 ? NumbersOf(variable.numbers) : OrderedJson(nullptr)}};
 }
 
-void PrintJson(const LogInput& input, const Scanned& scanned) {
+void PrintScanJson(const LogInput& input, const Scanned& scanned) {
   OrderedJson out = FactsOf(input, scanned.statistics);
   out["variables"] = OrderedJson::array();
   for (const VariableStatistics& variable : scanned.variables) {
@@ -222,7 +222,7 @@ int Run(const Arguments& given, void (*print)(const LogInput&, const Scanned&)) 
   Scanned scanned = Scan(input, filter);
   Sort(scanned.variables, *given.Find("sort"));
   if (given.Has("json")) {
-    PrintJson(input, scanned);
+    PrintScanJson(input, scanned);
   } else {
     print(input, scanned);
     std::fflush(stdout);

@@ -23,7 +23,7 @@ struct Overloaded : Handlers... {
 template <class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
-std::size_t SizeOf(const Message& message) {
+std::size_t LineSize(const Message& message) {
   const std::size_t value = std::visit(Overloaded{[](double) { return std::size_t{0}; },
                                                   [](const auto& bytes) { return bytes.size(); }},
                                        message.value);
@@ -41,7 +41,7 @@ std::string CopyName(const FileCopy& copy) {
 
 std::size_t SizeOf(const LogRecord& record) {
   return kRecordOverhead +
-         std::visit(Overloaded{[](const LogLine& line) { return SizeOf(*line.message); },
+         std::visit(Overloaded{[](const LogLine& line) { return LineSize(*line.message); },
                                [](const SyncRow& row) { return row.values.size() * 8; },
                                [](const auto&) { return std::size_t{0}; }},
                     record);

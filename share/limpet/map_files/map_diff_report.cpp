@@ -35,7 +35,7 @@ Expected<MapDiff> DiffOf(const SavedSession& a, const SavedSession& b) {
   return diff;
 }
 
-OrderedJson JsonOf(const DepthDifference& depth) {
+OrderedJson DepthJson(const DepthDifference& depth) {
   OrderedJson changes = OrderedJson::array();
   for (const DepthChange& change : depth.changes) {
     changes.push_back({{"north_m", change.north},
@@ -106,7 +106,7 @@ Expected<std::string> MapDiffJson(const SavedSession& a, const SavedSession& b) 
   const Expected<MapDiff> diff = DiffOf(a, b);
   if (!diff) return diff.error();
   OrderedJson out = OrderedJson::parse(Json(diff->objects));
-  out["depth"] = JsonOf(diff->depth);
+  out["depth"] = DepthJson(diff->depth);
   return out.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

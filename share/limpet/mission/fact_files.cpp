@@ -163,7 +163,7 @@ NamedFile ReadNamed(const FactFile& kind, const MissionFile& mission) {
   return named;
 }
 
-void TakeFacts(const NamedFile& named, const std::string& owner, ConfigBlock& block) {
+void TakeFactsFrom(const NamedFile& named, const std::string& owner, ConfigBlock& block) {
   const bool takes = std::ranges::any_of(named.kind->takers, [&owner](const FactTaker& taker) {
     return EqualsIgnoringCase(owner, taker.owner);
   });
@@ -273,7 +273,7 @@ void TakeFacts(MissionFile& mission) {
     for (const fs::path& one : FactFileChain(*kind, named.file))
       mission.fact_files.push_back(one.string());
     for (ConfigBlock& block : mission.blocks)
-      TakeFacts(named, OwnerOf(block, mission), block);
+      TakeFactsFrom(named, OwnerOf(block, mission), block);
   }
 }
 

@@ -17,7 +17,7 @@ constexpr int kGapHeadings = 8;
 constexpr double kRunSlack = 0.5;
 
 /// It can be reached and left without leaving the region.
-bool IsFlyable(const Pass& pass, const Region& region, Meters turn_radius) {
+bool IsPassFlyable(const Pass& pass, const Region& region, Meters turn_radius) {
   const Pose2 backwards{pass.in.north, pass.in.east, pass.in.yaw + std::numbers::pi};
   return region.IsRecoverable(pass.out(), turn_radius) &&
          region.IsRecoverable(backwards, turn_radius);
@@ -25,8 +25,8 @@ bool IsFlyable(const Pass& pass, const Region& region, Meters turn_radius) {
 
 /// Passes over a patch along its axes and between them, both ways, that keep it inside the image at
 /// the top of the band; those that would be trapped at the border are left out.
-Stop PassesOf(const Patch& patch, const Footprint& footprint, const Region& region,
-              Meters turn_radius) {
+Stop PassesOver(const Patch& patch, const Footprint& footprint, const Region& region,
+                Meters turn_radius) {
   const int top = Footprint::kTop;
   Stop stop;
   for (int i = 0; i < kGapHeadings; ++i) {
@@ -43,7 +43,7 @@ Stop PassesOf(const Patch& patch, const Footprint& footprint, const Region& regi
     // At the border a shorter pass may be flyable where the whole one is not.
     for (const double share : {1.0, 0.5, 0.0}) {
       const Pass pass{.in = Advance(centre, 0.0, -0.5 * share * run), .length = share * run};
-      if (IsFlyable(pass, region, turn_radius)) {
+      if (IsPassFlyable(pass, region, turn_radius)) {
         stop.push_back(pass);
         break;
       }
@@ -79,7 +79,7 @@ PassTour TourOf(const Pose2& start, const Ground& ground, const Region& region,
                 const GapParams& params) {
   std::vector<Stop> stops;
   for (const Patch& patch : WorthVisiting(start, ground, params)) {
-    Stop stop = PassesOf(patch, ground.footprint(), region, params.turn_radius);
+    Stop stop = PassesOver(patch, ground.footprint(), region, params.turn_radius);
     if (!stop.empty()) {
       stops.push_back(std::move(stop));
     }

@@ -46,7 +46,7 @@ Stop PassesAt(const Target& target, const Region& region, Meters turn_radius,
   return stop;
 }
 
-Stop PassesOf(const Target& target, const Region& region, Meters turn_radius) {
+Stop PassesBy(const Target& target, const Region& region, Meters turn_radius) {
   Stop stop = PassesAt(target, region, turn_radius, {0.0, -kOffsetShare, kOffsetShare});
   return stop.empty() ? PassesAt(target, region, turn_radius, {-kFarOffsetShare, kFarOffsetShare})
                       : stop;
@@ -92,7 +92,7 @@ std::vector<TargetStop> StopsOf(const std::vector<Target>& targets, const Region
                                 Meters turn_radius) {
   std::vector<TargetStop> stops;
   for (const Target& target : targets) {
-    Stop passes = PassesOf(target, region, turn_radius);
+    Stop passes = PassesBy(target, region, turn_radius);
     if (!passes.empty()) {
       stops.push_back({target.north, target.east, std::move(passes)});
     }
@@ -127,7 +127,7 @@ Option TourOption(const DubinsPath& path, const Objective& objective) {
 }  // namespace
 
 bool CanBeLookedAt(const Target& target, const Region& region, Meters turn_radius) {
-  return !PassesOf(target, region, turn_radius).empty();
+  return !PassesBy(target, region, turn_radius).empty();
 }
 
 std::vector<Option> TargetTours(const Pose2& start, const Region& region,

@@ -29,7 +29,7 @@ std::optional<DubinsPath> WayInside(const Pose2& from, const Pose2& to, const Re
   return WayAround(from, to, region, turn_radius);
 }
 
-FlownTour PassesOf(const DubinsPath& way) {
+FlownTour PassesAlong(const DubinsPath& way) {
   FlownTour flown{.path = way, .passes = {}, .spans = {}};
   Pose2 at = way.start();
   double begin = 0.0;
@@ -82,7 +82,7 @@ FlownTour Fly(const DubinsPath& way, const SurveyTour& tour, const Region& regio
 
 FlownTour FlyAsPasses(const DubinsPath& way, const SurveyTour& tour, const Region& region,
                       Meters turn_radius) {
-  return FlyOn(PassesOf(way), tour, region, turn_radius);
+  return FlyOn(PassesAlong(way), tour, region, turn_radius);
 }
 
 SurveyTour FittedInside(const SurveyTour& tour, const Region& region, Meters turn_radius) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kMission = "the mission";
 
-bool IsSame(const Setting& a, const Setting& b) {
+bool SaysTheSame(const Setting& a, const Setting& b) {
   constexpr double kSlack = 1e-9;
   const std::optional<double> first = ParseNumber(a.text);
   const std::optional<double> other = ParseNumber(b.text);
@@ -42,7 +42,7 @@ void Compare(const std::string& fact, std::vector<Setting> settings, MissionProb
   DropOverridden(settings);
   for (const Setting& other : settings) {
     const Setting& first = settings.front();
-    if (!IsSame(first, other)) {
+    if (!SaysTheSame(first, other)) {
       const std::string unit = other.unit.empty() ? "" : " " + other.unit;
       found.geometry.push_back(other.Refuse(fmt::format(
           "{} is {}{} for {} and {}{} for {}: {}; it is one fact and must be said alike", fact,

@@ -198,7 +198,7 @@ std::string Paragraph(const std::string& sentence) {
                           : fmt::format("<p class=\"muted\">{}</p>\n", EscapedMarkup(sentence));
 }
 
-std::string CoverageTable(const SessionScore& session, const ReportSettings& settings) {
+std::string WayTable(const SessionScore& session, const ReportSettings& settings) {
   const auto row = [](const std::string& what, const std::vector<CoverageLevel>& levels,
                       double at_end) {
     std::string cells;
@@ -240,7 +240,7 @@ std::string SessionSection(const SessionScore& session, const ReportSettings& se
       EscapedMarkup(session.name), Title(session.name), session.path_m, session.duration_s,
       session.has_truth ? "" : ", by the vehicle\u2019s own estimate,");
   out += Cards(session);
-  out += session.has_truth ? ObjectsTable(session) + CoverageTable(session, settings)
+  out += session.has_truth ? ObjectsTable(session) + WayTable(session, settings)
                            : ReportedObjectsTable(session);
   const Seconds begun = session.begun.value_or(Seconds(0.0));
   out += PicturesOf(session.pictured, begun);

@@ -10,12 +10,12 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson Rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
+OrderedJson FourDigits(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
 
 OrderedJson ToJson(const Statistic& statistic) {
   const bool has_samples = statistic.count() > 0;
-  return {{"mean", has_samples ? Rounded(statistic.mean()) : OrderedJson(nullptr)},
-          {"sd", has_samples ? Rounded(statistic.sd()) : OrderedJson(nullptr)},
+  return {{"mean", has_samples ? FourDigits(statistic.mean()) : OrderedJson(nullptr)},
+          {"sd", has_samples ? FourDigits(statistic.sd()) : OrderedJson(nullptr)},
           {"count", statistic.count()},
           {"of", statistic.asked()}};
 }

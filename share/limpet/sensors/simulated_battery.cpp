@@ -10,7 +10,7 @@ namespace {
 constexpr double kVoltsNoise = 0.02, kAmperesNoise = 0.01;
 constexpr double kWorst = 3.0;  ///< sigmas: no battery is off by more
 
-BatterySheet TrueSheet(BatterySheet sheet, const BatteryErrorParams& errors, Random& random) {
+BatterySheet TrueBattery(BatterySheet sheet, const BatteryErrorParams& errors, Random& random) {
   const double off = std::clamp(random.Normal(sheet.capacity_sigma), -kWorst * sheet.capacity_sigma,
                                 kWorst * sheet.capacity_sigma);
   sheet.capacity_wh *= errors.capacity_factor * std::max(0.1, 1.0 + off);
@@ -24,7 +24,7 @@ BatterySheet TrueSheet(BatterySheet sheet, const BatteryErrorParams& errors, Ran
 
 SimulatedBattery::SimulatedBattery(const BatterySheet& sheet, const BatteryErrorParams& errors,
                                    Random random, std::optional<double> charge)
-    : sheet_(TrueSheet(sheet, errors, random)),
+    : sheet_(TrueBattery(sheet, errors, random)),
       errors_(errors),
       noise_(random),
       gauge_off_(errors.gauge_off + noise_.Normal(sheet.gauge_sigma)),

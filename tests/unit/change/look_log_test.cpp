@@ -11,7 +11,7 @@ namespace limpet {
 namespace {
 
 /// `count` frames 4 per second along a line over the place, `step` metres apart.
-void Pass(LookLog& log, double start, int count, double step, bool has_box) {
+void AddPass(LookLog& log, double start, int count, double step, bool has_box) {
   for (int i = 0; i < count; ++i) {
     log.Add({.time = start + 0.25 * i,
              .p_OC = {step * i - 1.0, 0.0, -3.0},
@@ -30,15 +30,15 @@ TEST(LookLog, SaysNothingBeforeItHasLooked) {
 TEST(LookLog, CountsFramesFromOneViewpointAsOneWitness) {
   LookLog once{LookParams{}};
   LookLog hovering{LookParams{}};
-  Pass(once, 0.0, 1, 0.0, true);
-  Pass(hovering, 0.0, 40, 0.0, true);
+  AddPass(once, 0.0, 1, 0.0, true);
+  AddPass(hovering, 0.0, 40, 0.0, true);
   EXPECT_EQ(hovering.looks()(0), 1);
   EXPECT_NEAR(trial::Lambda(hovering), trial::Lambda(once), 1e-9);
 }
 
 TEST(LookLog, CountsANewLookEveryHalfMetre) {
   LookLog log{LookParams{}};
-  Pass(log, 0.0, 17, 0.125, true);
+  AddPass(log, 0.0, 17, 0.125, true);
   EXPECT_EQ(log.looks()(0), 5);
   EXPECT_EQ(log.looks_with_box(), 5);
   EXPECT_EQ(log.passes(), 1);
@@ -54,15 +54,15 @@ TEST(LookLog, CountsANewLookWhenTheDirectionTurns) {
 
 TEST(LookLog, OnePassCannotBeSurerThanPassesAreReliable) {
   LookLog log{LookParams{}};
-  Pass(log, 0.0, 40, 0.125, false);
+  AddPass(log, 0.0, 40, 0.125, false);
   EXPECT_GT(trial::Lambda(log), std::log(LookParams{}.pass_failure) - 0.6);
 }
 
 TEST(LookLog, ASecondPassIsASecondWitnessOfWhatAPassMayMiss) {
   LookLog one{LookParams{}};
-  Pass(one, 0.0, 20, 0.125, false);
+  AddPass(one, 0.0, 20, 0.125, false);
   LookLog two = one;
-  Pass(two, 60.0, 20, 0.125, false);
+  AddPass(two, 60.0, 20, 0.125, false);
   EXPECT_EQ(two.passes(), 2);
   EXPECT_LT(trial::Lambda(two), trial::Lambda(one) - 0.5);
 }
@@ -70,7 +70,7 @@ TEST(LookLog, ASecondPassIsASecondWitnessOfWhatAPassMayMiss) {
 TEST(LookLog, WhatNoPassOfASessionSawMayStillBeOvergrown) {
   LookLog log{LookParams{}};
   for (int pass = 0; pass < 50; ++pass)
-    Pass(log, 60.0 * pass, 5, 0.5, false);
+    AddPass(log, 60.0 * pass, 5, 0.5, false);
   EXPECT_EQ(log.passes(), 50);
   const double failing_looks = 50.0 * 5.0 * std::log(1.0 - 0.9 * LookParams{}.failing_detects);
   EXPECT_GT(trial::Lambda(log), std::log(LookParams{}.place_failure) + failing_looks - 0.1);
@@ -78,18 +78,18 @@ TEST(LookLog, WhatNoPassOfASessionSawMayStillBeOvergrown) {
 
 TEST(LookLog, AStoneThatLooksLikeABuoyIsNoneForBeingSeenAgain) {
   LookLog one{LookParams{}};
-  Pass(one, 0.0, 20, 0.125, true);
+  AddPass(one, 0.0, 20, 0.125, true);
   LookLog many = one;
   for (int pass = 1; pass < 10; ++pass)
-    Pass(many, 60.0 * pass, 1, 0.5, true);
+    AddPass(many, 60.0 * pass, 1, 0.5, true);
   EXPECT_LT(trial::Lambda(many), -std::log(0.5 * trial::kLookalike));
   EXPECT_LT(trial::Lambda(many), trial::Lambda(one) + std::log(2.0)) << "nine times over";
 }
 
 TEST(LookLog, ALoneBoxAmongManyCleanLooksIsAFalseAlarm) {
   LookLog log{LookParams{}};
-  Pass(log, 0.0, 1, 0.125, true);
-  Pass(log, 0.25, 24, 0.125, false);
+  AddPass(log, 0.0, 1, 0.125, true);
+  AddPass(log, 0.25, 24, 0.125, false);
   EXPECT_LT(trial::Lambda(log), 0.0);
 }
 

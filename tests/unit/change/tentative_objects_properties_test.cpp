@@ -14,7 +14,7 @@ namespace {
 
 const WatchModel kTentativeModel{};
 
-ObservedFrame FrameAt(double time, const Eigen::Vector3d& p_WB) {
+ObservedFrame FrameFrom(double time, const Eigen::Vector3d& p_WB) {
   return {.exposure = Seconds(time), .X_WB = {p_WB, 0, 0, 0}, .altitude = 4.0};
 }
 
@@ -37,14 +37,14 @@ bool NothingIsKnown(const ObservedFrame&, const Box&) { return false; }
 void ShowBoxes(TentativeObjects& tentative, int boxes, double start = 0.0,
                const Eigen::Vector3d& p_W = {0.0, 0.0, 6.0}) {
   for (int i = 0; i < boxes; ++i) {
-    ObservedFrame frame = FrameAt(start + 0.25 * i, p_W - Eigen::Vector3d(0.5, 0.0, 3.0));
+    ObservedFrame frame = FrameFrom(start + 0.25 * i, p_W - Eigen::Vector3d(0.5, 0.0, 3.0));
     frame.boxes = {WholeBox(frame, p_W)};
     tentative.AddFrame(frame, kTentativeModel, NothingIsKnown);
   }
 }
 /// The time is now `time`, far from everything.
 std::size_t CountOpenAt(TentativeObjects& tentative, double time) {
-  tentative.AddFrame(FrameAt(time, {500.0, 500.0, 3.0}), kTentativeModel, NothingIsKnown);
+  tentative.AddFrame(FrameFrom(time, {500.0, 500.0, 3.0}), kTentativeModel, NothingIsKnown);
   return tentative.Open().size();
 }
 
@@ -72,7 +72,7 @@ TEST(PlaceOfBoxProperties, IsThePlaceOfTheObjectFromAnyPose) {
 TEST(PlaceOfBoxProperties, NoPlaceIsDeeperThanTheSeabedAllows) {
   Random random(132);
   for (int i = 0; i < 500; ++i) {
-    ObservedFrame frame = FrameAt(0.0, {0.0, 0.0, 3.0});
+    ObservedFrame frame = FrameFrom(0.0, {0.0, 0.0, 3.0});
     frame.altitude = random.Uniform(1.0, 8.0);
     const Box box{.u = random.Uniform(0.0, 640.0),
                   .v = random.Uniform(0.0, 480.0),
@@ -116,7 +116,7 @@ TEST(TentativeObjectsProperties, IsOpenOnceBoxesHaveStoppedAndUntilItHasGrownOld
 TEST(TentativeObjectsProperties, BoxesOfDifferentColoursOrPlacesDoNotAddUp) {
   TentativeObjects tentative;
   for (int i = 0; i < 4; ++i) {
-    ObservedFrame frame = FrameAt(0.25 * i, {0.0, 0.0, 3.0});
+    ObservedFrame frame = FrameFrom(0.25 * i, {0.0, 0.0, 3.0});
     frame.boxes = {WholeBox(frame, {0.0, 0.0, 6.0})};
     frame.boxes[0].color = i % 2 == 0 ? "yellow" : "red";
     tentative.AddFrame(frame, kTentativeModel, NothingIsKnown);
@@ -133,7 +133,7 @@ TEST(TentativeObjectsProperties, BoxesOfDifferentColoursOrPlacesDoNotAddUp) {
 TEST(TentativeObjectsProperties, WhatIsExplainedHintsAtNothing) {
   TentativeObjects tentative;
   for (int i = 0; i < 6; ++i) {
-    ObservedFrame frame = FrameAt(0.25 * i, {0.0, 0.0, 3.0});
+    ObservedFrame frame = FrameFrom(0.25 * i, {0.0, 0.0, 3.0});
     frame.boxes = {WholeBox(frame, {0.0, 0.0, 6.0})};
     tentative.AddFrame(frame, kTentativeModel,
                        [](const ObservedFrame&, const Box&) { return true; });
@@ -147,7 +147,7 @@ TEST(TentativeObjectsProperties, ThreeGoodLooksFromPlacesOfTheirOwnAreEnough) {
   // Its first boxes were a good look; from there on every half metre is another.
   double time = 20.0;
   const auto look_from = [&](double north) {
-    tentative.AddFrame(FrameAt(time += 1.0, {north, 0.0, 3.0}), kTentativeModel, NothingIsKnown);
+    tentative.AddFrame(FrameFrom(time += 1.0, {north, 0.0, 3.0}), kTentativeModel, NothingIsKnown);
     return CountOpenAt(tentative, time + 5.0);
   };
   EXPECT_EQ(look_from(0.01), 1U);

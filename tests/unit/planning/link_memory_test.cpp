@@ -17,7 +17,7 @@ Pose2 DrawPose(Random& random) {
   return {random.Uniform(-14.0, 14.0), random.Uniform(-14.0, 14.0), random.Uniform(-3.0, 3.0)};
 }
 
-void ExpectSame(const PassLink& a, const PassLink& b) {
+void ExpectSameLink(const PassLink& a, const PassLink& b) {
   EXPECT_EQ(a.is_inside, b.is_inside);
   EXPECT_EQ(a.word.length, b.word.length);
   for (std::size_t i = 0; i < a.word.segments.size(); ++i) {
@@ -36,8 +36,8 @@ TEST(LinkMemory, AnswersAsIfItHadForgottenAll) {
   for (int i = 0; i < 20000; ++i) {
     const Pose2& from = poses[random.Index(poses.size())];
     const Pose2& to = poses[random.Index(poses.size())];
-    ExpectSame(memory.Between(from, to),
-               LinkBetween(from, to, scene::kSceneRegion, scene::kRadius));
+    ExpectSameLink(memory.Between(from, to),
+                   LinkBetween(from, to, scene::kSceneRegion, scene::kRadius));
   }
 }
 
@@ -48,8 +48,8 @@ TEST(LinkMemory, TellsAWayFromTheWayBackAndAHeadingFromItsNeighbour) {
   b_turned.yaw += 1e-12;
   for (int round = 0; round < 2; ++round) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a), std::pair(a, b_turned)}) {
-      ExpectSame(memory.Between(from, to),
-                 LinkBetween(from, to, scene::kSceneRegion, scene::kRadius));
+      ExpectSameLink(memory.Between(from, to),
+                     LinkBetween(from, to, scene::kSceneRegion, scene::kRadius));
     }
   }
 }

@@ -51,7 +51,7 @@ SurveyFrames LanesBesideTheMiddle() {
   return frames;
 }
 
-CoverageScore ScoreOf(const Scenario& scenario) {
+CoverageScore CoverageOf(const Scenario& scenario) {
   return ScoreCoverage(LanesBesideTheMiddle(), ScoredArea(), scenario, FromFourMetres(), {});
 }
 
@@ -60,14 +60,14 @@ double ByReason(const CoverageScore& score, WhyUnseen why) {
 }
 
 TEST(CoverageScore, GroundUnderAnObstacleIsNotToBeSeenAndNamedAsSuch) {
-  const CoverageScore with = ScoreOf(WithBox(5.0)), without = ScoreOf(WithBox(0.0));
+  const CoverageScore with = CoverageOf(WithBox(5.0)), without = CoverageOf(WithBox(0.0));
   EXPECT_GT(with.detected_band, without.detected_band + 0.02);
   EXPECT_NEAR(ByReason(with, WhyUnseen::kObstacle), 32.0 / 320.0, 0.01);
   EXPECT_EQ(ByReason(without, WhyUnseen::kObstacle), 0.0);
 }
 
 TEST(CoverageScore, ReasonsAddUpToWhatWasNotSeenOfTheArea) {
-  const CoverageScore score = ScoreOf(WithBox(5.0));
+  const CoverageScore score = CoverageOf(WithBox(5.0));
   double sum = 0.0;
   for (const double share : score.unseen.band_by_reason)
     sum += share;
@@ -76,7 +76,7 @@ TEST(CoverageScore, ReasonsAddUpToWhatWasNotSeenOfTheArea) {
 }
 
 TEST(CoverageScore, AnObstacleThatTheVehiclePassesOverLeavesItsGroundToBeSeen) {
-  EXPECT_EQ(ByReason(ScoreOf(WithBox(2.5)), WhyUnseen::kObstacle), 0.0);
+  EXPECT_EQ(ByReason(CoverageOf(WithBox(2.5)), WhyUnseen::kObstacle), 0.0);
 }
 
 TEST(CoverageScore, WhatTheDiveShowedFromWhereTheVehicleMapsWasSeen) {

@@ -12,8 +12,8 @@
 namespace limpet {
 namespace {
 
-Image Picture(double visibility, double altitude, std::uint64_t place = 5,
-              std::span<const Sphere> spheres = {}) {
+Image GroundPicture(double visibility, double altitude, std::uint64_t place = 5,
+                    std::span<const Sphere> spheres = {}) {
   SceneRenderer renderer({.camera = {},
                           .seabed_depth = [](double, double) { return 12.0; },
                           .visibility_m = visibility,
@@ -28,27 +28,28 @@ double GreenOf(const Image& image) { return MeasureGroundContrast(image.view()).
 
 TEST(GroundContrast, FadesWithDistanceAsTheWaterHasIt) {
   for (const double visibility : {8.0, 12.0}) {
-    const double near = GreenOf(Picture(visibility, 2.0)), far = GreenOf(Picture(visibility, 4.0));
+    const double near = GreenOf(GroundPicture(visibility, 2.0)),
+                 far = GreenOf(GroundPicture(visibility, 4.0));
     const double per_m = WaterOptics::OfVisibility(visibility).attenuation_per_m[1];
     EXPECT_NEAR(std::log(near / far) / 2.0, per_m, 0.35 * per_m) << visibility;
   }
 }
 
 TEST(GroundContrast, DoesNotStandOutOfTheNoiseInMurk) {
-  const GroundContrast murk = MeasureGroundContrast(Picture(2.0, 4.0).view());
+  const GroundContrast murk = MeasureGroundContrast(GroundPicture(2.0, 4.0).view());
   EXPECT_LT(murk.green, 1.5 * murk.noise);
-  const GroundContrast clear = MeasureGroundContrast(Picture(8.0, 4.0).view());
+  const GroundContrast clear = MeasureGroundContrast(GroundPicture(8.0, 4.0).view());
   EXPECT_GT(clear.green, 2.5 * clear.noise);
 }
 
 TEST(GroundContrast, AnObjectInThePictureIsNotTheGround) {
   const Sphere ball{{2.3, 1.4, 11.5}, 0.5, "yellow"};
-  EXPECT_NEAR(GreenOf(Picture(8.0, 4.0, 5, std::span(&ball, 1))), GreenOf(Picture(8.0, 4.0)),
-              0.25 * GreenOf(Picture(8.0, 4.0)));
+  EXPECT_NEAR(GreenOf(GroundPicture(8.0, 4.0, 5, std::span(&ball, 1))),
+              GreenOf(GroundPicture(8.0, 4.0)), 0.25 * GreenOf(GroundPicture(8.0, 4.0)));
 }
 
 TEST(GroundContrast, ExposureDoesNotMatter) {
-  Image image = Picture(8.0, 3.0);
+  Image image = GroundPicture(8.0, 3.0);
   const double before = GreenOf(image);
   for (std::uint8_t& value : image.bgr) {
     value = static_cast<std::uint8_t>(std::lround(0.75 * value));
@@ -75,7 +76,7 @@ TEST(ContrastModel, IsLikeThePictures) {
       }
       for (int i = 0; i < kPlaces; ++i) {
         const auto place = static_cast<std::uint64_t>(20 + i);
-        pictured += std::log(GreenOf(Picture(visibility, altitude, place))) / kPlaces;
+        pictured += std::log(GreenOf(GroundPicture(visibility, altitude, place))) / kPlaces;
       }
       EXPECT_NEAR(drawn, pictured, 0.5) << visibility << " m, from " << altitude << " m";
     }
