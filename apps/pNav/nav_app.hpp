@@ -141,6 +141,7 @@ class NavApp final : public App {
   void ReportAiding(ReportLines& report) const;
   void WatchAiding(double now);
   void WatchAgreement();
+  void WatchUnplaced();
 
   NavApp(const AppContext& context, const Params& params, const VehicleFile& vehicle);
 

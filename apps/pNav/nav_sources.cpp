@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which sensors pNav hears, and what that makes its estimate worth.
 #include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "apps/pNav/nav_app.hpp"
 #include "apps/pNav/nav_warnings.hpp"
@@ -68,6 +72,7 @@ void NavApp::WatchSensors(double now) {
   watch(warnings::kCompassDeviates, deviation && deviation->is_too_large,
         "the compass is off by more than its data sheet admits");
   WatchAgreement();
+  WatchUnplaced();
   watch(warnings::kFormerElsewhere, navigator_.is_former_elsewhere(),
         "the former session's frame lies elsewhere than its fixes and compass say");
   watch(
@@ -84,6 +89,20 @@ void NavApp::WatchAgreement() {
     } else {
       ClearWarning(warnings::kSensorsDisagree, std::string(motion));
     }
+  }
+}
+
+void NavApp::WatchUnplaced() {
+  const std::vector<UnplacedObject> unplaced = navigator_.tracker().Unplaced();
+  std::string text;
+  for (const UnplacedObject& one : unplaced) {
+    text += fmt::format("{}{} of {} boxes near north {:.0f}, east {:.0f}", text.empty() ? "" : "; ",
+                        one.color, one.boxes, one.p_W.x(), one.p_W.y());
+  }
+  if (unplaced.empty()) {
+    ClearWarning(warnings::kObjectsUnplaced);
+  } else {
+    Warn(warnings::kObjectsUnplaced, text);
   }
 }
 

@@ -131,6 +131,17 @@ inline const WarningId kFormerElsewhere = DeclareWarning(
      .action = "Compare datum, GPS and compass of both sessions: one of them is wrong.",
      .clears = "Once its objects are found where they were said to be."});
 
+inline const WarningId kObjectsUnplaced = DeclareWarning(
+    "OBJECTS_UNPLACED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pNav"},
+     .meaning = "Boxes showed something a dozen times and more, surely, and agreed in no place: no "
+                "landmark stands there, so it is missing from map and verdicts.",
+     .action = "See in the frames what is there: an object so large and near that no image holds "
+               "it, one of quite another size than object_radius_m, or one that moves. Fly higher "
+               "there, or say its size.",
+     .clears = "Once a landmark stands within 3 m of each."});
+
 inline const WarningFamily kSensorsDisagree = DeclareWarningFamily(
     "SENSORS_DISAGREE_<MOTION>",
     {.severity = Severity::kAlarm,

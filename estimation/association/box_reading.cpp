@@ -9,6 +9,17 @@
 namespace limpet {
 namespace {
 
+/// Of the full angle of the free axis, what must show along a cut one for the sphere's centre to be
+/// inside the image: half, and what edges may be off. Beyond the centre the free axis shows a
+/// chord.
+constexpr double kMoreThanHalf = 0.6;
+
+/// Of a box that one axis is free of: that the border hides less than half.
+bool ShowsCentre(const BoxReading& reading) {
+  const int cut = reading.is_cut_u ? 0 : 1;
+  return reading.half_angle(cut) >= kMoreThanHalf * reading.half_angle(1 - cut);
+}
+
 /// The edge of the cut axis that shows, if the other axis is whole.
 std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& reading,
                                          const std::array<BoxExtent, 2>& extents,
@@ -18,28 +29,21 @@ std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& readi
   if (reading.is_cut_u == reading.is_cut_v || !extent.is_half_cut()) {
     return std::nullopt;
   }
+  const double unsure = 1.0 - std::clamp(box.confidence, 0.0, 1.0);
+  const double share =
+      noise.edge_share * (ShowsCentre(reading) ? 1.0 : 1.0 + noise.cap_doubt * unsure);
   // The free axis tells how large the whole box is, and how sure the detector was of it.
   const double whole = std::max(box.w, box.h);
-  return EdgeFactor::Edge{
-      .axis = axis,
-      .side = extent.is_low_cut ? 1 : -1,
-      .measured_px = extent.shown_edge(),
-      .sigma_px = std::hypot(reading.sigma_px(1 - axis), noise.edge_share * whole)};
+  return EdgeFactor::Edge{.axis = axis,
+                          .side = extent.is_low_cut ? 1 : -1,
+                          .measured_px = extent.shown_edge(),
+                          .sigma_px = std::hypot(reading.sigma_px(1 - axis), share * whole)};
 }
-
-/// Of the full angle of the free axis, what must show along a cut one for the sphere's centre to be
-/// inside the image: half, and what edges may be off. Beyond the centre the free axis shows a
-/// chord.
-constexpr double kMoreThanHalf = 0.6;
 
 Eigen::Vector2d SizePlanes(const BoxReading& reading) {
   if (reading.is_whole()) return {0.5, 0.5};
-  if (!reading.lone_edge) return Eigen::Vector2d::Zero();
-  const int free = 1 - reading.lone_edge->axis;
-  const bool shows_centre =
-      reading.half_angle(1 - free) >= kMoreThanHalf * reading.half_angle(free);
   Eigen::Vector2d planes = Eigen::Vector2d::Zero();
-  planes(free) = shows_centre ? 1.0 : 0.0;
+  if (reading.lone_edge && ShowsCentre(reading)) planes(1 - reading.lone_edge->axis) = 1.0;
   return planes;
 }
 

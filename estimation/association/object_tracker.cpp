@@ -77,6 +77,8 @@ std::vector<std::optional<int>> ObjectTracker::Process(const Detections& frame,
       shown[static_cast<std::size_t>(candidates[i].detection)] = tracks_.LandmarkIdOf(track);
     } else if (observation.reading.is_usable()) {
       StartTrack(std::move(observation), from);
+    } else {
+      unplaced_.NoteUnusable(candidates[i].seen.box, from.x.head<3>(), tracks_.now);
     }
   }
   for (std::size_t j = known; j < tracks_.objects.size(); ++j)
@@ -115,7 +117,10 @@ void ObjectTracker::StartTrack(Observation observation, const Viewpoint& from) {
 
 void ObjectTracker::DropStale() {
   std::erase_if(tracks_.objects, [this](const TrackedObject& object) {
-    return !object.is_mapped() && tracks_.now - object.last_seen() > params_.confirm_within_s;
+    const bool is_stale =
+        !object.is_mapped() && tracks_.now - object.last_seen() > params_.confirm_within_s;
+    if (is_stale) unplaced_.NoteDropped(object);
+    return is_stale;
   });
 }
 

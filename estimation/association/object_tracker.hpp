@@ -12,6 +12,7 @@
 #include "estimation/association/landmark_terms.hpp"
 #include "estimation/association/track_list.hpp"
 #include "estimation/association/tracker_params.hpp"
+#include "estimation/association/unplaced_objects.hpp"
 #include "estimation/smoothing/smoother.hpp"
 #include "limpet/objects/frame.hpp"
 
@@ -54,6 +55,10 @@ class ObjectTracker {
   /// Nothing if sizes are taken for known.
   [[nodiscard]] std::optional<ObjectSize> SizeOf(const TrackedObject& landmark) const;
   [[nodiscard]] int rejected_observations() const { return review_.rejected(); }
+  /// What boxes showed again and again without a place that they agree on.
+  [[nodiscard]] std::vector<UnplacedObject> Unplaced() const {
+    return unplaced_.Without(tracks_.objects);
+  }
 
  private:
   [[nodiscard]] std::vector<Candidate> CandidatesOf(const Detections& frame) const;
@@ -75,6 +80,7 @@ class ObjectTracker {
   Confirmation confirmation_;
   LandmarkReview review_;
   IdentityDecisions identities_;
+  UnplacedObjects unplaced_{params_.confirm_log_odds};
   std::size_t next_far_ = 0;  ///< whose turn it is to be refreshed
   int refreshes_ = 0;         ///< since the last one that was far
 };

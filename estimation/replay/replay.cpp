@@ -90,6 +90,7 @@ class Replayer {
     result_.has_fix = navigator_.has_fix();
     result_.fix_error = navigator_.fix_error();
     result_.disagreements = navigator_.Disagreements();
+    result_.unplaced = navigator_.tracker().Unplaced();
     result_.counts.stale_samples += refused_inertial_;
     result_.counts.looks = navigator_.tracker().rejected_observations();
     for (const TrackedObject& object : navigator_.tracker().objects()) {

@@ -55,6 +55,7 @@ struct ReplayResult {
   std::optional<FixErrorBelief::Ratio> fix_error = {};  ///< sigma of fixes over what they state
   std::optional<double> surface_reading = {};    ///< of the depth sensor, where fixes came [m]
   std::vector<Disagreement> disagreements = {};  ///< sensors that cannot all be right
+  std::vector<UnplacedObject> unplaced = {};     ///< what boxes showed, and has no place
 };
 
 /// What makes of a stream's rows what the navigator takes.

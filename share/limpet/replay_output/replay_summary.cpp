@@ -64,6 +64,11 @@ std::string DoubtSummary(const ReplayResult& result, double doubtful) {
   }
   for (const Disagreement& one : result.disagreements)
     text += one.text + "\n";
+  for (const UnplacedObject& one : result.unplaced) {
+    text += fmt::format(
+        "{} boxes ({}) showed something near north {:.0f}, east {:.0f}, and agreed in no place\n",
+        one.boxes, one.color, one.p_W.x(), one.p_W.y());
+  }
   if (const auto doubt = WorstDoubt(result, doubtful)) {
     text += fmt::format(
         "the place was known to no better than {} m (1-sigma) for {:.0f} s, at worst to {:.0f} m "

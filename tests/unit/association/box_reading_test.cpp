@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/association/box_reading.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -63,6 +64,18 @@ TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
   EXPECT_EQ(reading.lone_edge->axis, 0);
   EXPECT_EQ(reading.lone_edge->side, -1);
   EXPECT_NEAR(reading.lone_edge->measured_px, box->u - 0.5 * box->w, 1e-9);
+}
+
+TEST(BoxReading, TrustsTheEdgeOfACapThatTheDetectorIsNotSureOfLessThanThatOfMoreThanHalf) {
+  const CameraModel camera;
+  const auto share = [&camera](double down, double confidence) {
+    Box box = *BoxOfSphere({0.3, -down, 3.0}, 0.8, camera);
+    box.confidence = confidence;
+    return ReadBox(box, camera, {}).lone_edge.value().sigma_px / std::max(box.w, box.h);
+  };
+  const double more = 1.3, cap = 2.0;  // [m] down: the centre is in the image, or beyond
+  EXPECT_GT(share(cap, 0.7), 2.0 * share(more, 0.7));
+  EXPECT_LT(share(cap, 1.0), 1.2 * share(more, 1.0));
 }
 
 TEST(BoxReading, DoubtsAnUnsureBox) {

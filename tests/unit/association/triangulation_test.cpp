@@ -188,6 +188,34 @@ TEST_F(TriangulationTest, AWholeBoxLaterInThePassGivesTheDistanceThatACutFirstOn
   EXPECT_LT((Triangulate(both, pose_of, mount_, model_).p_W - p_W).norm(), 1e-4);
 }
 
+/// So a near ball came into a murky image: of its cap, darkened by the border, only the middle was
+/// taken for it.
+TEST_F(TriangulationTest, APartTakenForACapMovesThePlaceLessForTheDetectorsDoubt) {
+  const Eigen::Vector3d p_W(1.15, 0.2, 1.6);
+  const auto error_with = [&](double cap_doubt) {
+    std::vector<NavVector> poses(3, NavVector::Zero());
+    std::vector<Observation> seen;
+    for (int i = 0; i < 3; ++i) {
+      NavVector& x = poses[static_cast<std::size_t>(i)];
+      x(kNavX) = 0.13 * i;
+      Box box = *BoxFrom(camera_, x, p_W);
+      box.confidence = 1.0;
+      if (i == 0) {
+        const double part = 0.4;
+        box.w *= 0.55, box.h *= part, box.v *= part, box.confidence = 0.65;
+      }
+      seen.push_back(ObservationOf(box, camera_, i, i));
+      BoxNoise noise;
+      noise.cap_doubt = cap_doubt;
+      seen.back().reading = ReadBox(box, camera_, noise);
+    }
+    const auto pose_of = [&poses](int node) { return poses[static_cast<std::size_t>(node)]; };
+    return (Triangulate(seen, pose_of, mount_, model_).p_W - p_W).norm();
+  };
+  const double as_sure_as_others = 0.0;
+  EXPECT_LT(error_with(BoxNoise{}.cap_doubt), 0.6 * error_with(as_sure_as_others));
+}
+
 TEST_F(TriangulationTest, TheSeabedHoldsTheDepthOfABoxWithoutARange) {
   model_.radius_m = 0.0;  // unknown: no box tells a distance
   const NavVector x = NavVector::Zero();

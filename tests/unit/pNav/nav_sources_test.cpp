@@ -149,6 +149,27 @@ TEST_F(NavAppTest, TheSilenceOfOneSourceIsNamedAndNavigationGoesOn) {
   EXPECT_TRUE(app_->warnings().contains("DVL_STALE"));
 }
 
+TEST_F(NavAppTest, WarnsOfWhatBoxesShowAgainAndAgainWithoutAPlace) {
+  RunFor(20.0);
+  // A wall that no image holds, along the port side.
+  const Box wall{.u = 110, .v = 240, .w = 220, .h = 480, .confidence = 0.9, .color = "yellow"};
+  for (int frame = 0; frame < 20; ++frame) {
+    RunFor(0.26);
+    link_.Send(*app_, topics::kDetections,
+               Detections{.frame = frame, .exposure = link_.time, .boxes = {wall}});
+  }
+  RunFor(2.0);
+  EXPECT_TRUE(app_->warnings().contains("OBJECTS_UNPLACED"));
+}
+
+TEST_F(NavAppTest, OfWhatStandsInItsPlaceNothingIsUnplaced) {
+  RunFor(20.0);
+  RunOver({{10.5, east_ + 2.5, 4.0}}, 7.0);
+  RunFor(25.0);
+  EXPECT_GT(CountOf("NAV_LANDMARKS"), 0U);
+  EXPECT_FALSE(app_->warnings().contains("OBJECTS_UNPLACED"));
+}
+
 TEST_F(NavAppTest, AnImuWhoseClockWasSetBackCostsNoHeading) {
   RunFor(20.0);
   double yaw = 0.5 * M_PI;
