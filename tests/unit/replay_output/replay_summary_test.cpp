@@ -63,6 +63,13 @@ TEST(ReplaySummary, SaysWhichSensorsCannotBothBeRight) {
   EXPECT_THAT(SummaryOf(result), HasSubstr("the compass turns -1 times\n"));
 }
 
+TEST(ReplaySummary, SaysWhatBoxesShowedWithoutAPlace) {
+  ReplayResult result = Fixed();
+  result.unplaced = {{.color = "yellow", .boxes = 14, .p_W = {4.2, -1.6, 5.0}}};
+  EXPECT_THAT(SummaryOf(result), HasSubstr("14 boxes (yellow) showed something near north 4, east "
+                                           "-2, and agreed in no place\n"));
+}
+
 TEST(ReplaySummary, CountsTheObjectsKnownAgain) {
   ReplayResult result = Fixed();
   result.landmarks.resize(3);
