@@ -29,7 +29,7 @@ std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& readi
   if (reading.is_cut_u == reading.is_cut_v || !extent.is_half_cut()) {
     return std::nullopt;
   }
-  const double unsure = 1.0 - std::clamp(box.confidence, 0.0, 1.0);
+  const double unsure = std::max(noise.sure_cap - std::clamp(box.confidence, 0.0, 1.0), 0.0);
   const double share =
       noise.edge_share * (ShowsCentre(reading) ? 1.0 : 1.0 + noise.cap_doubt * unsure);
   // The free axis tells how large the whole box is, and how sure the detector was of it.

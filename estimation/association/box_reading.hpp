@@ -16,9 +16,10 @@ struct BoxNoise {
   double share_of_size = 0.02;  ///< further share of the box's size
   double doubt = 2.0;           ///< times (1 + doubt (1 - confidence))
   double edge_share = 0.05;     ///< of the size: 1-sigma of one edge, on top of the centre's
-  /// That share times (1 + this (1 - confidence)) where less than half of a sphere may show: of a
-  /// mere cap a detector may take a part for it, and is then not sure.
-  double cap_doubt = 10.0;
+  /// Where less than half of a sphere may show, that share times (1 + cap_doubt (sure_cap -
+  /// confidence)) below that confidence: of a mere cap a detector may take a part for it, and is
+  /// then not sure.
+  double cap_doubt = 20.0, sure_cap = 0.75;
   double range_floor_m = 0.05;  ///< 1-sigma of the range from size [m]
   double range_share = 0.12;    ///< further share of the range
 };

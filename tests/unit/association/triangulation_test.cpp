@@ -202,7 +202,7 @@ TEST_F(TriangulationTest, APartTakenForACapMovesThePlaceLessForTheDetectorsDoubt
       box.confidence = 1.0;
       if (i == 0) {
         const double part = 0.4;
-        box.w *= 0.55, box.h *= part, box.v *= part, box.confidence = 0.65;
+        box.w *= 0.55, box.h *= part, box.v *= part, box.confidence = 0.5;
       }
       seen.push_back(ObservationOf(box, camera_, i, i));
       BoxNoise noise;
