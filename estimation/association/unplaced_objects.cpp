@@ -17,6 +17,14 @@ constexpr std::size_t kMostRemembered = 64;  // the oldest go first
 }  // namespace
 
 void UnplacedObjects::Add(const UnplacedObject& object) {
+  // What is seen on is the same still.
+  const auto again = std::ranges::find_if(objects_, [&object](const UnplacedObject& one) {
+    return one.color == object.color && (one.p_W - object.p_W).head<2>().norm() < kNear;
+  });
+  if (again != objects_.end()) {
+    again->boxes += object.boxes;
+    return;
+  }
   if (objects_.size() == kMostRemembered) objects_.erase(objects_.begin());
   objects_.push_back(object);
 }

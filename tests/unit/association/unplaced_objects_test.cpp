@@ -73,10 +73,22 @@ TEST(UnplacedObjects, AreForgivenOnceALandmarkStandsThere) {
   EXPECT_THAT(unplaced.Without({landmark}), SizeIs(1));
 }
 
+TEST(UnplacedObjects, ThatAreSeenOnAreOneStill) {
+  UnplacedObjects unplaced{kSure};
+  const Box box{.u = 100, .v = 240, .w = 200, .h = 480, .confidence = 0.9, .color = "yellow"};
+  for (int i = 0; i < 36; ++i)
+    unplaced.NoteUnusable(box, {1.0 + 0.05 * i, 2.0, 3.0}, 0.25 * i);
+  ASSERT_THAT(unplaced.Without({}), SizeIs(1));
+  EXPECT_EQ(unplaced.Without({})[0].boxes, 36);
+}
+
 TEST(UnplacedObjects, RememberNoMoreThanTheyCanHold) {
   UnplacedObjects unplaced{kSure};
-  for (int i = 0; i < 100; ++i)
-    unplaced.NoteDropped(TrackOf(20 + i, 0.95));
+  for (int i = 0; i < 100; ++i) {
+    TrackedObject track = TrackOf(20 + i, 0.95);
+    track.p_W.x() = 10.0 * i;
+    unplaced.NoteDropped(track);
+  }
   const std::vector<UnplacedObject> found = unplaced.Without({});
   ASSERT_THAT(found, SizeIs(64));
   EXPECT_EQ(found.back().boxes, 119);

@@ -166,7 +166,7 @@ TEST_F(NavAppTest, OfWhatStandsInItsPlaceNothingIsUnplaced) {
   RunFor(20.0);
   RunOver({{10.5, east_ + 2.5, 4.0}}, 7.0);
   RunFor(25.0);
-  EXPECT_GT(CountOf("NAV_LANDMARKS"), 0U);
+  EXPECT_EQ(link_.Last(topics::kNavLandmarks)->landmarks.size(), 1U);
   EXPECT_FALSE(app_->warnings().contains("OBJECTS_UNPLACED"));
 }
 
