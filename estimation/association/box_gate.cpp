@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/sphere_edge.hpp"
 
 namespace limpet {
 namespace {
@@ -18,38 +19,47 @@ constexpr double kOverlapShare = 0.6;  // of the gate: most that boxes which ove
 // 1-sigma of a cut axis's one edge: pixels, and a share of the expected size.
 constexpr double kEdgeFloor = 4.0, kEdgeShare = 0.15;
 
-/// One axis of an image: focal length and principal point [px].
-struct ImageAxis {
-  double f, c;
-};
-/// A sphere in the plane of that axis and the optical one [m].
-struct PlaneSphere {
-  double side, depth, radius;
-};
-/// A box along that axis, and the pixel of the centre of the sphere it shows.
-struct ReadExtent {
-  BoxExtent box;
-  double centre;
-};
 struct AxisOffset {
   double offset = 0.0;  ///< of the box from where the sphere should appear [px]
   double size = 0.0;    ///< of the expected box [px]
 };
 
-/// Nothing if both edges are cut, which tells nothing.
-std::optional<AxisOffset> OffsetAlong(const ImageAxis& axis, const PlaneSphere& sphere,
-                                      const ReadExtent& seen) {
-  const double middle = std::atan2(sphere.side, sphere.depth);
-  const double half =
-      std::asin(std::min(sphere.radius / std::hypot(sphere.side, sphere.depth), 0.99));
-  const double expected_low = axis.c + axis.f * std::tan(std::max(middle - half, -1.5));
-  const double expected_high = axis.c + axis.f * std::tan(std::min(middle + half, 1.5));
-  const double size = expected_high - expected_low;
-  const BoxExtent& box = seen.box;
+/// Of a sphere's image along one axis, as if it had no border [px].
+struct ExpectedExtent {
+  double low, centre, high;
+};
+
+ExpectedExtent ExtentOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C, double radius,
+                              int axis) {
+  const double side = p_C(axis), depth = p_C.z();
+  const double f = axis == 0 ? camera.fx : camera.fy, c = axis == 0 ? camera.cx : camera.cy;
+  const double middle = std::atan2(side, depth);
+  const double half = std::asin(std::min(radius / std::hypot(side, depth), 0.99));
+  return {.low = c + f * std::tan(std::max(middle - half, -1.5)),
+          .centre = c + f * side / depth,
+          .high = c + f * std::tan(std::min(middle + half, 1.5))};
+}
+
+/// Where a sphere's edge appears that the border leaves, the end of its image without a border if
+/// it is too near to tell.
+double ShownEdge(const CameraModel& camera, const Eigen::Vector3d& p_C, double radius, BoxEnd end,
+                 double of_whole) {
+  const std::optional<SphereEdge> edge = EdgeOfSphere(camera, p_C, radius, end);
+  return edge ? edge->px : of_whole;
+}
+
+/// Of a box, whose extent along that axis is given, from the sphere it may show; nothing if both
+/// edges are cut, which tells nothing.
+std::optional<AxisOffset> OffsetAlong(const CameraModel& camera, const Eigen::Vector3d& p_C,
+                                      double radius, const ReadDetection& seen, int axis) {
+  const BoxExtent box = axis == 0 ? ExtentAcross(seen.box, camera) : ExtentAlong(seen.box, camera);
   if (box.is_low_cut && box.is_high_cut) return std::nullopt;
-  if (box.is_low_cut) return AxisOffset{box.high - expected_high, size};
-  if (box.is_high_cut) return AxisOffset{box.low - expected_low, size};
-  return AxisOffset{seen.centre - (axis.c + axis.f * sphere.side / sphere.depth), size};
+  const ExpectedExtent expected = ExtentOfSphere(camera, p_C, radius, axis);
+  const double size = expected.high - expected.low;
+  if (!box.is_cut()) return AxisOffset{seen.reading.centre_px(axis) - expected.centre, size};
+  const BoxEnd end{.axis = axis, .side = box.is_low_cut ? 1 : -1};
+  const double of_whole = box.is_low_cut ? expected.high : expected.low;
+  return AxisOffset{box.shown_edge() - ShownEdge(camera, p_C, radius, end, of_whole), size};
 }
 
 /// Predicted pixel: covariance, from that of pose and object.
@@ -138,17 +148,14 @@ void AddRangeTo(Innovation& innovation, const RangeOfSize& seen, const CameraPoi
 
 std::optional<BoxMatch> BoxGate::Match(const ReadDetection& seen, const NavVector& x,
                                        const ExpectedObject& object) const {
-  const Box& box = seen.box;
   const BoxReading& reading = seen.reading;
   const CameraPoint point = CameraPointOf(camera_, x, object.p_W);
   const Eigen::Vector3d& p = point.p_C;
   if (p.z() < kNearestPoint) {
     return std::nullopt;
   }
-  const auto along_u = OffsetAlong({camera_.fx, camera_.cx}, {p.x(), p.z(), object.radius},
-                                   {ExtentAcross(seen.box, camera_), reading.centre_px.x()});
-  const auto along_v = OffsetAlong({camera_.fy, camera_.cy}, {p.y(), p.z(), object.radius},
-                                   {ExtentAlong(seen.box, camera_), reading.centre_px.y()});
+  const auto along_u = OffsetAlong(camera_, p, object.radius, seen, 0);
+  const auto along_v = OffsetAlong(camera_, p, object.radius, seen, 1);
   if (!along_u && !along_v) {
     return std::nullopt;
   }
@@ -167,7 +174,7 @@ std::optional<BoxMatch> BoxGate::Match(const ReadDetection& seen, const NavVecto
   if (along_u) new_cost += 2.0 * std::log(camera_.width_px);
   if (along_v) new_cost += 2.0 * std::log(camera_.height_px);
   const double confused = params_.confused_class_share;
-  const double class_share = object.color == box.color ? 1.0 - confused : confused;
+  const double class_share = object.color == seen.box.color ? 1.0 - confused : confused;
   const double normaliser =
       std::log(4.0 * std::numbers::pi * std::numbers::pi * innovation.determinant());
   return BoxMatch{.cost = distance2 + normaliser - 2.0 * std::log(class_share),

@@ -14,36 +14,51 @@ namespace {
 /// chord.
 constexpr double kMoreThanHalf = 0.6;
 
-/// Of a box that one axis is free of: that the border hides less than half.
+/// Of a box that is cut along one axis at most: that the border hides less than half.
 bool ShowsCentre(const BoxReading& reading) {
+  if (reading.is_cut_u && reading.is_cut_v) return false;
+  if (reading.is_whole()) return true;
   const int cut = reading.is_cut_u ? 0 : 1;
   return reading.half_angle(cut) >= kMoreThanHalf * reading.half_angle(1 - cut);
 }
 
-/// The edge of the cut axis that shows, if the other axis is whole.
-std::optional<EdgeFactor::Edge> LoneEdge(const Box& box, const BoxReading& reading,
-                                         const std::array<BoxExtent, 2>& extents,
-                                         const BoxNoise& noise) {
-  const int axis = reading.is_cut_u ? 0 : 1;
-  const BoxExtent& extent = extents[static_cast<std::size_t>(axis)];
-  if (reading.is_cut_u == reading.is_cut_v || !extent.is_half_cut()) {
-    return std::nullopt;
-  }
+/// 1-sigma of the centre along an axis with a box of that size [px].
+double CentreSigma(const Box& box, double size, const BoxNoise& noise) {
+  const double doubt = 1.0 + noise.doubt * (1.0 - std::clamp(box.confidence, 0.0, 1.0));
+  return (noise.floor_px + noise.share_of_size * size) * doubt;
+}
+
+/// What the axes that are cut show.
+std::array<std::optional<CutAxisFactor::Extent>, 2> CutAxes(const Box& box,
+                                                            const BoxReading& reading,
+                                                            const std::array<BoxExtent, 2>& extents,
+                                                            const BoxNoise& noise) {
   const double unsure = std::max(noise.sure_cap - std::clamp(box.confidence, 0.0, 1.0), 0.0);
   const double share =
       noise.edge_share * (ShowsCentre(reading) ? 1.0 : 1.0 + noise.cap_doubt * unsure);
-  // The free axis tells how large the whole box is, and how sure the detector was of it.
-  const double whole = std::max(box.w, box.h);
-  return EdgeFactor::Edge{.axis = axis,
-                          .side = extent.is_low_cut ? 1 : -1,
-                          .measured_px = extent.shown_edge(),
-                          .sigma_px = std::hypot(reading.sigma_px(1 - axis), share * whole)};
+  // The longer side tells best how large the whole box is, a free axis how well it was placed.
+  const double longer = std::max(box.w, box.h);
+  const double free = reading.sigma_px.minCoeff();
+  const double placed = std::isfinite(free) ? free : CentreSigma(box, longer, noise);
+  std::array<std::optional<CutAxisFactor::Extent>, 2> axes;
+  for (std::size_t axis = 0; axis < extents.size(); ++axis) {
+    const BoxExtent& extent = extents[axis];
+    if (!extent.is_cut()) continue;
+    axes[axis] = CutAxisFactor::Extent{.axis = static_cast<int>(axis),
+                                       .low = extent.low,
+                                       .high = extent.high,
+                                       .is_low_cut = extent.is_low_cut,
+                                       .is_high_cut = extent.is_high_cut,
+                                       .sigma_px = std::hypot(placed, share * longer)};
+  }
+  return axes;
 }
 
 Eigen::Vector2d SizePlanes(const BoxReading& reading) {
   if (reading.is_whole()) return {0.5, 0.5};
   Eigen::Vector2d planes = Eigen::Vector2d::Zero();
-  if (reading.lone_edge && ShowsCentre(reading)) planes(1 - reading.lone_edge->axis) = 1.0;
+  const std::size_t cut = reading.is_cut_u ? 0 : 1;
+  if (reading.cut_axes[cut]->is_half_cut() && ShowsCentre(reading)) planes(cut == 0 ? 1 : 0) = 1.0;
   return planes;
 }
 
@@ -61,13 +76,10 @@ BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& no
   };
   reading.centre_px = {mid(across, camera.fx, camera.cx, reading.half_angle.x()),
                        mid(along, camera.fy, camera.cy, reading.half_angle.y())};
-  const double doubt = 1.0 + noise.doubt * (1.0 - std::clamp(box.confidence, 0.0, 1.0));
   constexpr double kUnused = std::numeric_limits<double>::infinity();
-  const auto sigma = [&](bool is_cut, double size) {
-    return is_cut ? kUnused : (noise.floor_px + noise.share_of_size * size) * doubt;
-  };
-  reading.sigma_px = {sigma(reading.is_cut_u, box.w), sigma(reading.is_cut_v, box.h)};
-  reading.lone_edge = LoneEdge(box, reading, {across, along}, noise);
+  reading.sigma_px = {reading.is_cut_u ? kUnused : CentreSigma(box, box.w, noise),
+                      reading.is_cut_v ? kUnused : CentreSigma(box, box.h, noise)};
+  reading.cut_axes = CutAxes(box, reading, {across, along}, noise);
   reading.size_planes_C = SizePlanes(reading);
   return reading;
 }

@@ -2,11 +2,12 @@
 // What a box says about the sphere it shows.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <Eigen/Core>
 
-#include "estimation/smoothing/factors/edge_factor.hpp"
+#include "estimation/smoothing/factors/cut_axis_factor.hpp"
 #include "limpet/objects/box.hpp"
 
 namespace limpet {
@@ -32,8 +33,8 @@ struct BoxReading {
   Eigen::Vector2d sigma_px = Eigen::Vector2d::Zero();  ///< infinite along an axis that is cut
   Eigen::Vector2d half_angle = Eigen::Vector2d::Zero();
   bool is_cut_u = false, is_cut_v = false;
-  /// Of a box cut at one end of one axis only: the edge that shows at the other end.
-  std::optional<EdgeFactor::Edge> lone_edge;
+  /// Of the axes that are cut.
+  std::array<std::optional<CutAxisFactor::Extent>, 2> cut_axes;
 
   /// Planes (xz, yz) of the camera that tell the sphere's size: both of a whole box; of one cut at
   /// one end only, the free axis' if more than half of the sphere shows; else none.
@@ -41,7 +42,11 @@ struct BoxReading {
 
   [[nodiscard]] bool tells_size() const { return size_planes_C.sum() > 0.0; }
   [[nodiscard]] bool is_whole() const { return !is_cut_u && !is_cut_v; }
-  [[nodiscard]] bool is_usable() const { return !(is_cut_u && is_cut_v); }
+  /// Of a sphere of `radius` (0: unknown): one axis its centre, or both an edge.
+  [[nodiscard]] bool TellsPlace(double radius) const {
+    if (!is_cut_u || !is_cut_v) return true;
+    return radius > 0.0 && cut_axes[0]->is_half_cut() && cut_axes[1]->is_half_cut();
+  }
   /// Distance in those planes [m] of a sphere of `radius`, their mean if both tell.
   [[nodiscard]] std::optional<double> Range(double radius) const;
 };

@@ -44,7 +44,7 @@ bool Confirmation::HasQuorum(const TrackedObject& object, const Quorum& quorum) 
   }
   const auto recent = std::ranges::count_if(object.observations, [&](const Observation& one) {
     // What both borders cut tells no place, but that something is there.
-    return (one.reading.is_usable() || quorum.counts_cut_boxes) &&
+    return (one.reading.TellsPlace(params_.model.radius_m) || quorum.counts_cut_boxes) &&
            tracks_.now - one.t <= params_.confirm_within_s;
   });
   return recent >= quorum.observations && LogOddsOf(object) >= quorum.log_odds &&

@@ -94,7 +94,7 @@ BoxReading OfMeanPlace(const BoxReading& reading, double motion_sd, const Camera
   const double range = reading.Range(radius).value_or(kUsualDistance);
   const Eigen::Vector2d moved_px = motion_sd / range * Eigen::Vector2d(camera.fx, camera.fy);
   of_mean.sigma_px = (reading.sigma_px.array().square() + moved_px.array().square()).sqrt();
-  of_mean.lone_edge.reset();
+  of_mean.cut_axes = {};
   return of_mean;
 }
 

@@ -75,7 +75,7 @@ std::vector<std::optional<int>> ObjectTracker::Process(const Detections& frame,
       TrackedObject& track = tracks_.objects[associations[i].track];
       AddObservation(track, std::move(observation), from);
       shown[static_cast<std::size_t>(candidates[i].detection)] = tracks_.LandmarkIdOf(track);
-    } else if (observation.reading.is_usable()) {
+    } else if (observation.reading.TellsPlace(params_.model.radius_m)) {
       StartTrack(std::move(observation), from);
     } else {
       unplaced_.NoteUnusable(candidates[i].seen.box, from.x.head<3>(), tracks_.now);

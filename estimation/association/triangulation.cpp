@@ -27,19 +27,34 @@ constexpr double kKnownSize = 1e-4;  // 1-sigma of the logarithm of a size that 
 constexpr double kTentativeSpread = 1.5;
 constexpr double kMostLogSize = 2.0;  // seven times as large or small
 
+/// Pixel to look for a sphere's centre at: that of the box, where an edge shows in its stead half
+/// the usual size from that.
+Eigen::Vector2d CentreGuess(const BoxReading& reading, const CameraModel& camera, double radius) {
+  Eigen::Vector2d centre = reading.centre_px;
+  for (const std::optional<CutAxisFactor::Extent>& cut : reading.cut_axes) {
+    if (!cut || !cut->is_half_cut()) continue;
+    const double half = (cut->axis == 0 ? camera.fx : camera.fy) * radius / kUsualDistance;
+    centre(cut->axis) = cut->is_low_cut ? cut->high - half : cut->low + half;
+  }
+  return centre;
+}
+
 /// A first guess from one observation.
 Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x,
                               const CameraModel& camera, const ObjectModel& model) {
   const Pose X_WB = PoseOf(x);
   const Eigen::Matrix3d R_WC = RotationOf(X_WB) * camera.R_BC;
   const Eigen::Vector3d p_WC = X_WB.p_WB + RotationOf(X_WB) * camera.p_BC;
-  Eigen::Vector3d ray =
-      camera.RayOf(observation.reading.centre_px.x(), observation.reading.centre_px.y());
+  const BoxReading& reading = observation.reading;
+  const bool is_in_corner = reading.is_cut_u && reading.is_cut_v;
+  const Eigen::Vector2d centre_px =
+      is_in_corner ? CentreGuess(reading, camera, model.radius_m) : reading.centre_px;
+  Eigen::Vector3d ray = camera.RayOf(centre_px.x(), centre_px.y());
   ray /= ray.z();
   double depth = kUsualDistance;
   const Eigen::Vector3d ray_W = R_WC * ray;
-  if (const auto range = observation.reading.Range(model.radius_m)) {
-    depth = *range / observation.reading.size_planes_C.dot(
+  if (const auto range = reading.Range(model.radius_m)) {
+    depth = *range / reading.size_planes_C.dot(
                          Eigen::Vector2d(std::hypot(ray.x(), 1.0), std::hypot(ray.y(), 1.0)));
   } else if (observation.altitude && ray_W.z() > 0.3) {
     const double down = X_WB.p_WB.z() + *observation.altitude - model.height_m - p_WC.z();
@@ -55,19 +70,18 @@ std::vector<Term> CollectTerms(const Observation& observation, int slot, const C
   std::vector<Term> terms;
   const Loss loss = Loss::Huber(model.huber);
   const BoxReading& reading = observation.reading;
-  if (!reading.is_usable()) {
-    return terms;
-  }
-  terms.push_back(bind(ReprojectionFactor(camera, reading.centre_px, reading.sigma_px), loss));
+  if (std::isfinite(reading.sigma_px.minCoeff()))
+    terms.push_back(bind(ReprojectionFactor(camera, reading.centre_px, reading.sigma_px), loss));
   if (const auto range = reading.Range(model.radius_m)) {
     const double sigma = model.noise.range_floor_m + model.noise.range_share * *range;
     terms.push_back(
         bind(RangeFactor(camera, Meters(*range), Meters(sigma), reading.size_planes_C), loss));
   }
-  if (reading.lone_edge && model.radius_m > 0.0) {
-    terms.push_back(bind(EdgeFactor(camera, Meters(model.radius_m), *reading.lone_edge), loss));
+  for (const std::optional<CutAxisFactor::Extent>& cut : reading.cut_axes) {
+    if (cut && model.radius_m > 0.0)
+      terms.push_back(bind(CutAxisFactor(camera, Meters(model.radius_m), *cut), loss));
   }
-  if (with_seabed && observation.altitude) {
+  if (with_seabed && observation.altitude && reading.TellsPlace(model.radius_m)) {
     terms.push_back(
         Term::OnObservation(SeabedFactor(Meters(*observation.altitude), Meters(model.height_m),
                                          Meters(model.height_sigma_m)),

@@ -10,7 +10,7 @@
 
 namespace limpet {
 
-/// A factor of a camera (ReprojectionFactor, EdgeFactor, RangeFactor) whose extrinsics and clock
+/// A factor of a camera (ReprojectionFactor, CutAxisFactor, RangeFactor) whose extrinsics and clock
 /// are estimated with pose and landmark: what F says of the point where it then is in the camera.
 template <class F>
 class CameraErrorsFactor {

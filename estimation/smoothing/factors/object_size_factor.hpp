@@ -9,7 +9,7 @@
 
 namespace limpet {
 
-/// A factor of a camera (EdgeFactor, RangeFactor) that takes the sphere's radius for known.
+/// A factor of a camera (CutAxisFactor, RangeFactor) that takes the sphere's radius for known.
 template <class F>
 concept TakesSize = requires(const F& factor, const Eigen::Vector3d& p_C,
                              typename F::BorderJacobian& J_C, typename F::Residual& J_size) {

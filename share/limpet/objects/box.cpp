@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/objects/box.hpp"
 
+#include <algorithm>
+
 namespace limpet {
 namespace {
 
-BoxExtent ExtentOf(double centre, double size, int image_px) {
-  const double low = centre - 0.5 * size, high = centre + 0.5 * size;
-  return {.low = low,
-          .high = high,
-          .is_low_cut = low<kBorderMargin, .is_high_cut = high> image_px - kBorderMargin};
+/// What is round is not that much shorter along one axis than along the other, unless the border
+/// takes the rest: of such a box an end this near the border, as a share of the longer side, is the
+/// border too. A detector that sees a part places its edges worse.
+constexpr double kFlat = 0.7, kFlatMargin = 0.04;
+
+/// A box along one axis: centre and size, and its size along the other [px].
+struct BoxSide {
+  double centre, size, other;
+};
+
+BoxExtent ExtentOf(const BoxSide& side, int image_px) {
+  const bool is_flat = side.size < kFlat * side.other;
+  const double margin = is_flat ? std::max(kBorderMargin, kFlatMargin * side.other) : kBorderMargin;
+  const double low = side.centre - 0.5 * side.size, high = side.centre + 0.5 * side.size;
+  return {
+      .low = low, .high = high, .is_low_cut = low<margin, .is_high_cut = high> image_px - margin};
 }
 
 }  // namespace
@@ -20,8 +33,12 @@ double BoxExtent::CentreOf(double half) const {
   return 0.5 * (low + high);
 }
 
-BoxExtent ExtentAcross(const Box& box, int width_px) { return ExtentOf(box.u, box.w, width_px); }
-BoxExtent ExtentAlong(const Box& box, int height_px) { return ExtentOf(box.v, box.h, height_px); }
+BoxExtent ExtentAcross(const Box& box, int width_px) {
+  return ExtentOf({.centre = box.u, .size = box.w, .other = box.h}, width_px);
+}
+BoxExtent ExtentAlong(const Box& box, int height_px) {
+  return ExtentOf({.centre = box.v, .size = box.h, .other = box.w}, height_px);
+}
 
 BoxExtent ExtentAcross(const Box& box, const CameraModel& camera) {
   return ExtentAcross(box, camera.width_px);

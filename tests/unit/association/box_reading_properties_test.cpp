@@ -62,22 +62,41 @@ TEST_P(BoxReadingProperties, AnEdgeThatTheBorderCutsSaysNothingAlongItsAxis) {
     EXPECT_TRUE(std::isinf(reading.sigma_px.x()));
     EXPECT_TRUE(std::isfinite(reading.sigma_px.y()));
     EXPECT_FALSE(reading.Range(radius_));
-    EXPECT_TRUE(reading.is_usable());
-    ASSERT_TRUE(reading.lone_edge);
-    EXPECT_EQ(reading.lone_edge->axis, 0);
-    EXPECT_EQ(reading.lone_edge->side, side > 0.0 ? -1 : 1) << "the edge inside the image";
-    EXPECT_GT(reading.lone_edge->sigma_px, reading.sigma_px.y());
+    EXPECT_TRUE(reading.TellsPlace(radius_));
+    const auto& [across, along] = reading.cut_axes;
+    ASSERT_TRUE(across && !along);
+    EXPECT_EQ(across->axis, 0);
+    EXPECT_EQ(across->is_high_cut, side > 0.0);
+    EXPECT_TRUE(across->is_half_cut());
+    EXPECT_GT(across->sigma_px, reading.sigma_px.y());
   }
 }
 
-TEST_P(BoxReadingProperties, ABoxInACornerIsOfNoUse) {
+TEST_P(BoxReadingProperties, ABoxInACornerTellsItsTwoEdgesAndNoSize) {
   for (int i = 0; i < 30; ++i) {
     const std::optional<Box> box = BoxAt(DrawCentre(1.0, 1.0));
     if (!box) continue;
     const BoxReading reading = ReadBox(*box, camera_, noise_);
-    EXPECT_FALSE(reading.is_usable());
-    EXPECT_FALSE(reading.lone_edge);
+    EXPECT_TRUE(reading.TellsPlace(radius_));
+    EXPECT_FALSE(reading.TellsPlace(0.0));
+    EXPECT_FALSE(reading.tells_size());
+    const auto& [across, along] = reading.cut_axes;
+    ASSERT_TRUE(across && along);
+    EXPECT_NEAR(across->low, box->u - 0.5 * box->w, 1e-9);
+    EXPECT_NEAR(along->low, box->v - 0.5 * box->h, 1e-9);
   }
+}
+
+TEST_P(BoxReadingProperties, ABoxFromBorderToBorderInACornerIsOfNoUse) {
+  const Box box{.u = 0.5 * camera_.width_px,
+                .v = 40.0,
+                .w = 1.0 * camera_.width_px,
+                .h = 80.0,
+                .confidence = 0.9,
+                .color = "yellow"};
+  const BoxReading reading = ReadBox(box, camera_, noise_);
+  EXPECT_FALSE(reading.TellsPlace(radius_));
+  EXPECT_TRUE(reading.cut_axes[0] && reading.cut_axes[1]) << "of a known object it still tells";
 }
 
 TEST_P(BoxReadingProperties, DoubtAndSizeMakeACentreLessCertain) {
@@ -109,7 +128,7 @@ TEST_P(BoxReadingProperties, AMirroredBoxIsReadInTheMirror) {
     EXPECT_NEAR(one.centre_px.x() + other.centre_px.x(), camera_.width_px, 1e-6);
     EXPECT_NEAR(one.centre_px.y(), other.centre_px.y(), 1e-6);
     EXPECT_EQ(one.is_cut_u, other.is_cut_u);
-    EXPECT_EQ(one.lone_edge.has_value(), other.lone_edge.has_value());
+    EXPECT_EQ(one.cut_axes[0].has_value(), other.cut_axes[0].has_value());
     EXPECT_NEAR(one.half_angle.x(), other.half_angle.x(), 1e-9);
   }
 }

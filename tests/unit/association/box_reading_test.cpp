@@ -40,7 +40,7 @@ TEST(BoxReading, TrustsOnlyTheAxisThatTheBorderDoesNotCut) {
   EXPECT_TRUE(std::isinf(reading.sigma_px.x()));
   EXPECT_FALSE(reading.is_cut_v);
   EXPECT_FALSE(reading.Range(kSphereRadius).has_value());
-  EXPECT_TRUE(reading.is_usable());
+  EXPECT_TRUE(reading.TellsPlace(kSphereRadius));
 }
 
 /// A large object seldom shows whole.
@@ -60,10 +60,11 @@ TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
   const CameraModel camera;
   const auto box = BoxOfSphere({2.4, 0.0, 3.0}, kSphereRadius, camera);
   const BoxReading reading = ReadBox(*box, camera, {});
-  ASSERT_TRUE(reading.lone_edge.has_value());
-  EXPECT_EQ(reading.lone_edge->axis, 0);
-  EXPECT_EQ(reading.lone_edge->side, -1);
-  EXPECT_NEAR(reading.lone_edge->measured_px, box->u - 0.5 * box->w, 1e-9);
+  const auto& [across, along] = reading.cut_axes;
+  ASSERT_TRUE(across && !along);
+  EXPECT_EQ(across->axis, 0);
+  EXPECT_TRUE(across->is_high_cut && !across->is_low_cut);
+  EXPECT_NEAR(across->low, box->u - 0.5 * box->w, 1e-9);
 }
 
 TEST(BoxReading, TrustsTheEdgeOfACapThatTheDetectorIsNotSureOfLessThanThatOfMoreThanHalf) {
@@ -71,7 +72,7 @@ TEST(BoxReading, TrustsTheEdgeOfACapThatTheDetectorIsNotSureOfLessThanThatOfMore
   const auto share = [&camera](double down, double confidence) {
     Box box = *BoxOfSphere({0.3, -down, 3.0}, 0.8, camera);
     box.confidence = confidence;
-    return ReadBox(box, camera, {}).lone_edge.value().sigma_px / std::max(box.w, box.h);
+    return ReadBox(box, camera, {}).cut_axes[1].value().sigma_px / std::max(box.w, box.h);
   };
   const double more = 1.3, cap = 2.0;  // [m] down: the centre is in the image, or beyond
   EXPECT_GT(share(cap, 0.6), 2.0 * share(more, 0.6));

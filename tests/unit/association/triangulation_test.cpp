@@ -251,7 +251,8 @@ TEST_F(TriangulationTest, ABoxGivesTheTermsThatItTells) {
   EXPECT_EQ(count(whole, 0.5, true), 3U);
   EXPECT_EQ(count(side, 0.5, false), 2U) << "one axis, and the edge that shows of the other";
   EXPECT_EQ(count(side, 0.0, false), 1U);
-  EXPECT_EQ(count(corner, 0.5, true), 0U) << "what both borders cut tells no place";
+  EXPECT_EQ(count(corner, 0.5, true), 3U) << "two edges";
+  EXPECT_EQ(count(corner, 0.0, true), 0U) << "edges of what may have any size tell no place";
 }
 
 }  // namespace

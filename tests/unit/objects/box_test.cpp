@@ -40,6 +40,15 @@ TEST(BoxExtent, IsCutWithinTheMarginOfEachBorderAndNotBeyond) {
   EXPECT_TRUE(ExtentAlong(BoxBetween(100, 400, 200, 480 - near), kCamera).is_high_cut);
 }
 
+TEST(BoxExtent, OfARoundThingIsNotFlatNearTheBorderUnlessThatCutsIt) {
+  const Box flat = BoxBetween(315, 3, 563, 66), round = BoxBetween(315, 3, 388, 66);
+  EXPECT_TRUE(ExtentAlong(flat, kCamera).is_low_cut);
+  EXPECT_FALSE(ExtentAcross(flat, kCamera).is_cut()) << "the longer axis shows whole";
+  EXPECT_FALSE(IsCut(round, kCamera));
+  EXPECT_FALSE(IsCut(BoxBetween(315, 30, 563, 93), kCamera)) << "away from the border a box is";
+  EXPECT_TRUE(ExtentAcross(BoxBetween(600, 100, 632, 330), kCamera).is_high_cut);
+}
+
 TEST(BoxExtent, SaysOfAHalfCutObjectWhereItsCentreIsFromTheEdgeThatShows) {
   const BoxExtent left = ExtentAcross(BoxBetween(0, 100, 60, 200), kCamera);
   EXPECT_TRUE(left.is_half_cut());

@@ -10,7 +10,7 @@
 
 #include "estimation/smoothing/factors/border_prior_factor.hpp"
 #include "estimation/smoothing/factors/camera_errors_factor.hpp"
-#include "estimation/smoothing/factors/edge_factor.hpp"
+#include "estimation/smoothing/factors/cut_axis_factor.hpp"
 #include "estimation/smoothing/factors/object_size_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
@@ -82,8 +82,8 @@ TEST_F(CameraErrorsTest, ATiltTurnsThePictureAboutTheCameraNotTheBody) {
 TEST_F(CameraErrorsTest, JacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(ReprojectionFactor(camera_, {200.0, 210.0}, {2.0, 3.0}));
   ExpectJacobiansMatch(RangeFactor(camera_, Meters(2.5), Meters(0.3)));
-  ExpectJacobiansMatch(EdgeFactor(camera_, Meters(0.4),
-                                  {.axis = 1, .side = -1, .measured_px = 150.0, .sigma_px = 3.0}));
+  ExpectJacobiansMatch(CutAxisFactor(camera_, Meters(0.4),
+                                     {.axis = 1, .low = 150.0, .high = 250.0, .sigma_px = 3.0}));
 }
 
 TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) {
@@ -113,8 +113,8 @@ TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) 
     }
   };
   expect_match(RangeFactor(camera_, Meters(2.5), Meters(0.3)));
-  expect_match(EdgeFactor(camera_, Meters(0.4),
-                          {.axis = 1, .side = -1, .measured_px = 150.0, .sigma_px = 3.0}));
+  expect_match(CutAxisFactor(camera_, Meters(0.4),
+                             {.axis = 1, .low = 150.0, .high = 250.0, .sigma_px = 3.0}));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/smoothing/factors/edge_factor.hpp"
+#include "estimation/smoothing/factors/cut_axis_factor.hpp"
 #include "estimation/smoothing/factors/range_factor.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
 #include "estimation/smoothing/nav_vector.hpp"

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/sphere_edge.hpp"
+#include "limpet/core/units.hpp"
+
+namespace limpet {
+
+/// A box along an axis that the image's border cuts, per end:
+///   r = (end of what the image shows of a sphere of known radius - that of the box) / sigma [px];
+/// zero at an end that the border cuts, if the sphere goes on there. Near the camera plane, or
+/// inside the sphere, the residual of an end that shows is large and its derivative zero.
+class CutAxisFactor {
+ public:
+  static constexpr int kDim = 2;
+  using Residual = Eigen::Matrix<double, kDim, 1>;
+  using Jacobian = Eigen::Matrix<double, kDim, 6>;
+  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
+
+  struct Extent {
+    int axis = 0;                  ///< along u (0) or v (1)
+    double low = 0.0, high = 0.0;  ///< ends of the box [px]
+    bool is_low_cut = false, is_high_cut = false;
+    double sigma_px = 1.0;
+    /// One end shows.
+    [[nodiscard]] bool is_half_cut() const { return is_low_cut != is_high_cut; }
+  };
+  /// `camera` must outlive the factor.
+  CutAxisFactor(const CameraModel& camera, Meters radius, const Extent& extent)
+      : camera_(&camera), radius_(radius.value()), extent_(extent) {}
+
+  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
+                                  Jacobian* J_pose = nullptr,
+                                  BorderJacobian* J_landmark = nullptr) const {
+    const CameraPoint point = CameraPointOf(*camera_, x, p_W);
+    BorderJacobian J_C;
+    Residual r = InCamera(point.p_C, J_C);
+    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
+    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
+    return r;
+  }
+  /// Of a point in the camera's frame, with the derivative by it.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
+    Residual J_size;
+    return InCamera(p_C, 0.0, J_C, J_size);
+  }
+  /// For a sphere exp(log_size) times as large, also with the derivative by that.
+  [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, double log_size, BorderJacobian& J_C,
+                                  Residual& J_size) const {
+    J_C.setZero();
+    J_size.setZero();
+    Residual r = Residual::Zero();
+    const double radius = radius_ * std::exp(log_size);
+    for (const int row : {0, 1}) {
+      const int side = row == 0 ? -1 : 1;
+      const bool is_cut = row == 0 ? extent_.is_low_cut : extent_.is_high_cut;
+      const auto edge = EdgeOfSphere(*camera_, p_C, radius, {.axis = extent_.axis, .side = side});
+      if (!edge) {
+        r(row) = is_cut ? 0.0 : kLost_px / extent_.sigma_px;
+        continue;
+      }
+      const double off_px = edge->px - (row == 0 ? extent_.low : extent_.high);
+      const bool goes_on = is_cut && side * off_px >= 0.0;
+      if (goes_on) continue;
+      r(row) = off_px / extent_.sigma_px;
+      J_C.row(row) = edge->by_p_C / extent_.sigma_px;
+      J_size(row) = edge->by_log_radius / extent_.sigma_px;
+    }
+    return r;
+  }
+
+ private:
+  const CameraModel* camera_;
+  double radius_;
+  Extent extent_;
+};
+
+}  // namespace limpet

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "limpet/core/camera_model.hpp"
+
+namespace limpet {
+
+/// One end of a box in an image: along u (0) or v (1), its lower (-1) or upper (1) one.
+struct BoxEnd {
+  int axis = 0;
+  int side = 1;
+};
+
+/// Where the image of a sphere ends, with the derivatives by its centre and its size.
+struct SphereEdge {
+  double px = 0.0;
+  Eigen::RowVector3d by_p_C = Eigen::RowVector3d::Zero();  ///< [px/m]
+  double by_log_radius = 0.0;                              ///< [px]
+};
+
+/// The end of what the image shows of a sphere about `p_C` [m]: the tangent to it, or, where the
+/// border cuts off the point that this touches, the end of the chord along that border. Nothing
+/// near the camera's plane or inside the sphere.
+[[nodiscard]] std::optional<SphereEdge> EdgeOfSphere(const CameraModel& camera,
+                                                     const Eigen::Vector3d& p_C, double radius,
+                                                     BoxEnd end);
+
+}  // namespace limpet
