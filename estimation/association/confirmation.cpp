@@ -18,6 +18,9 @@ constexpr double kPlaceError = 0.1;  // [m] of a tentative object's place, beyon
 constexpr double kRecognitionReach = 3.0;  // [m]
 constexpr double kGate = 16.3;             // squared Mahalanobis distance, three degrees of freedom
 constexpr int kBoxesOfKnown = 2;
+/// Boxes that a box in a corner of the image is worth: its two edges tell a place, and place what
+/// sways or is no ball beside itself.
+constexpr double kCornerWorth = 0.5;
 constexpr double kCorrelation = 0.2;  // of what boxes of one pass say
 // An object is seen in a share x of the frames that should show it with a density like x^this, what
 // is taken for one like (1 - x)^this.
@@ -38,15 +41,19 @@ Confirmation::Quorum Confirmation::QuorumOfKnown() const {
           .counts_cut_boxes = kBoxesOfKnown < params_.looks_to_confirm};
 }
 
+double Confirmation::WorthOf(const BoxReading& reading, const Quorum& quorum) const {
+  if (quorum.counts_cut_boxes || !(reading.is_cut_u && reading.is_cut_v)) return 1.0;
+  return reading.TellsPlace(params_.model.radius_m) ? kCornerWorth : 0.0;
+}
+
 bool Confirmation::HasQuorum(const TrackedObject& object, const Quorum& quorum) const {
   if (object.is_mapped() || object.observations.empty()) {
     return false;
   }
-  const auto recent = std::ranges::count_if(object.observations, [&](const Observation& one) {
-    // What both borders cut tells no place, but that something is there.
-    return (one.reading.TellsPlace(params_.model.radius_m) || quorum.counts_cut_boxes) &&
-           tracks_.now - one.t <= params_.confirm_within_s;
-  });
+  double recent = 0.0;
+  for (const Observation& one : object.observations) {
+    if (tracks_.now - one.t <= params_.confirm_within_s) recent += WorthOf(one.reading, quorum);
+  }
   return recent >= quorum.observations && LogOddsOf(object) >= quorum.log_odds &&
          object.sightings.hits >= params_.confirm_hit_share * object.sightings.expected &&
          object.tentative().worst_residual <= params_.confirm_residual;

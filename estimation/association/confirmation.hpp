@@ -35,6 +35,8 @@ class Confirmation {
   [[nodiscard]] Quorum QuorumOfNew() const;
   /// Fewer boxes tell an object that is known and expected there.
   [[nodiscard]] Quorum QuorumOfKnown() const;
+  /// How many boxes that show a whole axis one is worth.
+  [[nodiscard]] double WorthOf(const BoxReading& reading, const Quorum& quorum) const;
   [[nodiscard]] bool HasQuorum(const TrackedObject& object, const Quorum& quorum) const;
   /// Ln of the odds that it is an object: from confidences, and from frames that do not show it.
   [[nodiscard]] double LogOddsOf(const TrackedObject& object) const;
