@@ -20,10 +20,12 @@
 namespace limpet {
 
 /// A vehicle flies straight lines at 0.5 m/s, 4 m above the seabed at 7.5 m, four frames a second,
-/// always with one heading; spheres of half a metre hang below it.
+/// always with one heading; spheres hang below it.
 class ObjectFlight {
  public:
-  explicit ObjectFlight(std::uint64_t seed = 3, double heading = 0.0) : random_(seed) {
+  explicit ObjectFlight(std::uint64_t seed = 3, double heading = 0.0,
+                        const ObjectTrackerParams& params = {})
+      : random_(seed), tracker_(smoother_, camera_, params) {
     truth_(kNavYaw) = heading;
   }
   /// Flies to (north, east); `drift` is added to what odometry says of the whole leg [m].
@@ -45,6 +47,7 @@ class ObjectFlight {
   }
 
   std::vector<Eigen::Vector3d> objects_;
+  double radius_ = 0.5;  ///< of all objects [m]
   /// Of the last frame: per box the landmark that it shows, and the object (index) that it is of;
   /// none of a false box.
   std::vector<std::optional<int>> shown_;
@@ -100,7 +103,7 @@ class ObjectFlight {
   Random random_;
   const CameraModel camera_;
   ArrowSmoother smoother_;
-  ObjectTracker tracker_{smoother_, camera_, ObjectTrackerParams{}};
+  ObjectTracker tracker_;
   NavVector truth_ = (NavVector() << 0.0, 0.0, 3.5, 0.0, 0.0, 0.0).finished();
 
  private:
@@ -109,7 +112,7 @@ class ObjectFlight {
     std::vector<std::optional<std::size_t>> of_box;
     for (std::size_t i = 0; i < objects_.size(); ++i) {
       const Eigen::Vector3d p_W = objects_[i] + std::sin(2.0 * M_PI * time_ / 8.0) * sway_W_;
-      const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, p_W).p_C, 0.5, camera_);
+      const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, p_W).p_C, radius_, camera_);
       if (!box || box->w < 20.0 || box->h < 20.0) continue;
       Box seen = *box;
       if (!random_.Chance(hit_share_)) continue;

@@ -27,6 +27,36 @@ TEST_F(ObjectTrackerTest, FindsAnObjectWhereItIs) {
   EXPECT_LT((Found()[0].p_W - objects_[0]).norm(), 0.15);
 }
 
+/// Believed to be half a metre, give or take a fifth.
+class LargeObjectTest : public ::testing::Test, protected ObjectFlight {
+ protected:
+  static ObjectTrackerParams SizesInDoubt() {
+    ObjectTrackerParams params;
+    params.model.size_spread = kSizeSpread;
+    return params;
+  }
+  LargeObjectTest() : ObjectFlight(3, 0.0, SizesInDoubt()) {
+    radius_ = 1.0;
+    objects_ = {{6.0, 1.2, 5.5}};  // 2 m below the camera, 1.2 m beside its way
+  }
+};
+
+TEST_F(LargeObjectTest, ThatOnlyCornersOfImagesShowIsFoundWhereItIs) {
+  int corners = 0, others = 0;
+  for (int i = 1; i <= 12; ++i) {
+    FlyTo({1.0 * i, 0.0});
+    const auto box = BoxOfSphere(CameraPointOf(camera_, truth_, objects_[0]).p_C, radius_, camera_);
+    if (!box) continue;
+    const bool is_corner =
+        ExtentAcross(*box, camera_).is_cut() && ExtentAlong(*box, camera_).is_cut();
+    ++(is_corner ? corners : others);
+  }
+  ASSERT_GT(corners, 2);
+  ASSERT_EQ(others, 0) << "no axis shows whole";
+  ASSERT_EQ(Found().size(), 1U);
+  EXPECT_LT((Found()[0].p_W - objects_[0]).norm(), 0.4);
+}
+
 TEST_F(ObjectTrackerTest, NamesTheLandmarkThatABoxShows) {
   objects_ = {{5.0, 0.5, 6.5}};
   FlyTo(5.0, 0.0);
