@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 
-#include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/factors/camera_factor.hpp"
 #include "estimation/smoothing/sphere_edge.hpp"
 #include "limpet/core/units.hpp"
 
@@ -14,13 +13,8 @@ namespace limpet {
 ///   r = (end of what the image shows of a sphere of known radius - that of the box) / sigma [px];
 /// zero at an end that the border cuts, if the sphere goes on there. Near the camera plane, or
 /// inside the sphere, the residual of an end that shows is large and its derivative zero.
-class CutAxisFactor {
+class CutAxisFactor : public CameraFactor<CutAxisFactor, 2> {
  public:
-  static constexpr int kDim = 2;
-  using Residual = Eigen::Matrix<double, kDim, 1>;
-  using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
-
   struct Extent {
     int axis = 0;                  ///< along u (0) or v (1)
     double low = 0.0, high = 0.0;  ///< ends of the box [px]
@@ -31,18 +25,8 @@ class CutAxisFactor {
   };
   /// `camera` must outlive the factor.
   CutAxisFactor(const CameraModel& camera, Meters radius, const Extent& extent)
-      : camera_(&camera), radius_(radius.value()), extent_(extent) {}
+      : CameraFactor(camera), radius_(radius.value()), extent_(extent) {}
 
-  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
-                                  Jacobian* J_pose = nullptr,
-                                  BorderJacobian* J_landmark = nullptr) const {
-    const CameraPoint point = CameraPointOf(*camera_, x, p_W);
-    BorderJacobian J_C;
-    Residual r = InCamera(point.p_C, J_C);
-    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
-    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
-    return r;
-  }
   /// Of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     Residual J_size;
@@ -58,7 +42,7 @@ class CutAxisFactor {
     for (const int row : {0, 1}) {
       const int side = row == 0 ? -1 : 1;
       const bool is_cut = row == 0 ? extent_.is_low_cut : extent_.is_high_cut;
-      const auto edge = EdgeOfSphere(*camera_, p_C, radius, {.axis = extent_.axis, .side = side});
+      const auto edge = EdgeOfSphere(camera(), p_C, radius, {.axis = extent_.axis, .side = side});
       if (!edge) {
         r(row) = is_cut ? 0.0 : kLost_px / extent_.sigma_px;
         continue;
@@ -74,7 +58,6 @@ class CutAxisFactor {
   }
 
  private:
-  const CameraModel* camera_;
   double radius_;
   Extent extent_;
 };

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "estimation/smoothing/camera_point.hpp"
+#include "estimation/smoothing/factors/camera_factor.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -12,13 +12,8 @@ namespace limpet {
 ///   r = (mean of the centre's distances in the camera's xz and yz planes - measured) / sigma.
 /// In each of these planes a half-angle a of the box means exactly radius / sin(a). Use with a
 /// robust loss, and never in a plane in which the border cuts the box.
-class RangeFactor {
+class RangeFactor : public CameraFactor<RangeFactor, 1> {
  public:
-  static constexpr int kDim = 1;
-  using Residual = Eigen::Matrix<double, kDim, 1>;
-  using Jacobian = Eigen::Matrix<double, kDim, 6>;
-  using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
-
   /// Weights of the distances in the xz and yz planes: of a whole box the mean.
   using PlaneWeights = Eigen::Vector2d;
   [[nodiscard]] static PlaneWeights BothPlanes() { return {0.5, 0.5}; }
@@ -26,21 +21,11 @@ class RangeFactor {
   /// `camera` must outlive the factor.
   RangeFactor(const CameraModel& camera, Meters measured, Meters sigma,
               const PlaneWeights& planes = BothPlanes())
-      : camera_(&camera),
+      : CameraFactor(camera),
         measured_(measured.value()),
         inv_sigma_(1.0 / sigma.value()),
         planes_(planes) {}
 
-  [[nodiscard]] Residual Evaluate(const NavVector& x, const Eigen::Vector3d& p_W,
-                                  Jacobian* J_pose = nullptr,
-                                  BorderJacobian* J_landmark = nullptr) const {
-    const CameraPoint point = CameraPointOf(*camera_, x, p_W);
-    BorderJacobian J_C;
-    Residual r = InCamera(point.p_C, J_C);
-    if (J_pose != nullptr) *J_pose = J_C * point.J_pose;
-    if (J_landmark != nullptr) *J_landmark = J_C * point.J_landmark;
-    return r;
-  }
   /// Of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     Residual J_size;
@@ -60,7 +45,6 @@ class RangeFactor {
   }
 
  private:
-  const CameraModel* camera_;
   double measured_, inv_sigma_;
   PlaneWeights planes_;
 };
