@@ -77,8 +77,10 @@ BoxReading ReadBox(const Box& box, const CameraModel& camera, const BoxNoise& no
   reading.centre_px = {mid(across, camera.fx, camera.cx, reading.half_angle.x()),
                        mid(along, camera.fy, camera.cy, reading.half_angle.y())};
   constexpr double kUnused = std::numeric_limits<double>::infinity();
-  reading.sigma_px = {reading.is_cut_u ? kUnused : CentreSigma(box, box.w, noise),
-                      reading.is_cut_v ? kUnused : CentreSigma(box, box.h, noise)};
+  const auto sigma = [&](bool is_cut, double size) {
+    return is_cut ? kUnused : CentreSigma(box, size, noise);
+  };
+  reading.sigma_px = {sigma(reading.is_cut_u, box.w), sigma(reading.is_cut_v, box.h)};
   reading.cut_axes = CutAxes(box, reading, {across, along}, noise);
   reading.size_planes_C = SizePlanes(reading);
   return reading;
