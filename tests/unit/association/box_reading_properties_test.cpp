@@ -87,7 +87,7 @@ TEST_P(BoxReadingProperties, ABoxInACornerTellsItsTwoEdgesAndNoSize) {
   }
 }
 
-TEST_P(BoxReadingProperties, ABoxFromBorderToBorderInACornerIsOfNoUse) {
+TEST_P(BoxReadingProperties, ABoxThatThreeBordersCutTellsNoPlace) {
   const Box box{.u = 0.5 * camera_.width_px,
                 .v = 40.0,
                 .w = 1.0 * camera_.width_px,
