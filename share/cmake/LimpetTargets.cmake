@@ -52,9 +52,11 @@ function(limpet_process name)
                                         "$<LINK_LIBRARY:WHOLE_ARCHIVE,${libraries}>")
 endfunction()
 
-# limpet_test(<name> FOLDER <dir> DEPENDS lib...): one GoogleTest program of every *.cpp in <dir>.
+# limpet_test(<name> FOLDER <dir> DEPENDS lib... [PRIVATE thirdparty::x...] [TIMEOUT s] [SINGLY])
+#   one GoogleTest program of every *.cpp in <dir>. CTest runs a suite of it at a time, for to start a program that loads
+#   OpenCV and MRPT takes longer than most tests; SINGLY: a test at a time and before all others, for what takes long.
 function(limpet_test name)
-  cmake_parse_arguments(ARG "" "FOLDER;TIMEOUT" "DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "SINGLY" "FOLDER;TIMEOUT" "DEPENDS;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${ARG_FOLDER}/*.cpp")
   if(NOT sources)
     return()
@@ -70,5 +72,21 @@ function(limpet_test name)
   target_compile_options(${name} PRIVATE ${LIMPET_QUICK_OPTIONS})
   target_precompile_headers(${name} REUSE_FROM limpet_precompiled_tests)
   target_compile_definitions(${name} PRIVATE LIMPET_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${name})
+  limpet_discover_tests(${name} ${ARG_TIMEOUT} ${ARG_SINGLY})
+endfunction()
+
+# Tells CTest, once the program is built, of its suites or of its tests.
+function(limpet_discover_tests name timeout singly)
+  set(found "${CMAKE_CURRENT_BINARY_DIR}/${name}_tests.cmake")
+  add_custom_command(
+    TARGET ${name}
+    POST_BUILD
+    BYPRODUCTS "${found}"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${name}>" "-DNAME=${name}" "-DTIMEOUT=${timeout}" "-DSINGLY=${singly}"
+            "-DFOUND=${found}" "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}" -P "${CMAKE_SOURCE_DIR}/share/cmake/DiscoverTests.cmake"
+    VERBATIM)
+  set(include_file "${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake")
+  file(WRITE "${include_file}" "if(EXISTS \"${found}\")\n  include(\"${found}\")\n"
+                               "else()\n  add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include_file}")
 endfunction()
