@@ -86,11 +86,13 @@ std::string BlockOf(const std::string& type, double weight) {
       type, weight);
 }
 
-/// The first two minutes of a survey of the basin: some 60 m of way, less than half of what it
-/// takes.
-constexpr double kWatched = 120.0;  // [s]
-/// And the half minute until the first path is flown.
-constexpr Seconds kFlown(165.0);
+/// Of a survey of the basin, from its first path on: some 30 m of way, a quarter of what it takes.
+/// What is drawn to one half early has to see the other one later, and the difference goes.
+constexpr Seconds kDrawn(60.0);
+/// Half of it: plans that bids choose among part later.
+constexpr Seconds kTurned(120.0);
+/// Until the first path is flown.
+constexpr Seconds kBegun(45.0);
 
 struct Beginning {
   std::vector<HelmPath> paths;
@@ -98,7 +100,7 @@ struct Beginning {
   double north_share = 0.0;  ///< of the track
 };
 
-Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
+Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed, Seconds watched) {
   const TemporaryFolder folder;
   const fs::path basin = fs::path(LIMPET_SOURCE_DIR) / "missions" / "basin";
   fs::copy(basin, folder.path() / "mission", fs::copy_options::recursive);
@@ -111,7 +113,7 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
                          .run_folder = folder.path() / "discovery",
                          .prior_folder = {},
                          .seed = seed,
-                         .longest = kFlown};
+                         .longest = kBegun + watched};
   Beginning beginning;
   std::optional<double> begin_s;
   int north = 0, poses = 0;
@@ -121,7 +123,8 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
       beginning.paths.push_back(*TopicCodec<HelmPath>::Decode(message.value));
     } else if (message.name == "HELM_BIDS") {
       beginning.options.push_back(TopicCodec<HelmBids>::Decode(message.value)->considered);
-    } else if (message.name == "NAV_Y" && begin_s && message.time.value() < *begin_s + kWatched) {
+    } else if (message.name == "NAV_Y" && begin_s &&
+               message.time.value() < *begin_s + watched.value()) {
       ++poses;
       north += std::get<double>(message.value) > 0.0 ? 1 : 0;
     }
@@ -133,11 +136,11 @@ Beginning FlyBasin(const std::string& more_behaviors, std::uint64_t seed) {
 /// How much more of each flight's track lies in the north with one behavior than with another, or
 /// none.
 std::vector<double> DrawnBy(const std::string& more_behaviors, const std::string& than,
-                            std::uint64_t flights) {
+                            std::uint64_t flights, Seconds watched) {
   std::vector<double> drawn;
   for (std::uint64_t seed = 1; seed <= flights; ++seed) {
-    const double without = FlyBasin(than, seed).north_share;
-    const double with = FlyBasin(more_behaviors, seed).north_share;
+    const double without = FlyBasin(than, seed, watched).north_share;
+    const double with = FlyBasin(more_behaviors, seed, watched).north_share;
     ::testing::Test::RecordProperty(fmt::format("flight_{}", seed),
                                     fmt::format("{:.3f} {:.3f}", without, with));
     drawn.push_back(with - without);
@@ -149,21 +152,21 @@ std::vector<double> DrawnBy(const std::string& more_behaviors, const std::string
 /// and then, and a single flight says little.
 TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
   constexpr std::uint64_t kFlights = 12;
-  const std::vector<double> drawn =
-      DrawnBy(BlockOf("BHV_TestSeekNorth", 0.5), BlockOf("BHV_TestSeekSouth", 0.5), kFlights);
+  const std::vector<double> drawn = DrawnBy(BlockOf("BHV_TestSeekNorth", 0.5),
+                                            BlockOf("BHV_TestSeekSouth", 0.5), kFlights, kDrawn);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0) / kFlights, 0.05);
 }
 
 /// Bids alone choose among plans: no search seeks what they like, so they must outweigh what the
 /// other plans are worse.
 TEST(NewBehavior, ThatOnlyBidsTurnsTheVehicleWhereItOutbidsTheDifferenceOfPlans) {
-  const std::vector<double> drawn = DrawnBy(BlockOf("BHV_TestPreferNorth", 4.0), "", 6);
+  const std::vector<double> drawn = DrawnBy(BlockOf("BHV_TestPreferNorth", 4.0), "", 6, kTurned);
   EXPECT_GT(std::ranges::count_if(drawn, [](double share) { return share != 0.0; }), 1);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0), 0.0);
 }
 
 TEST(NewBehavior, HasAtLeastADozenOptionsToChooseFrom) {
-  std::vector<int> options = FlyBasin("", 5).options;
+  std::vector<int> options = FlyBasin("", 5, kTurned).options;
   ASSERT_GT(options.size(), 4U);
   const auto middle = options.begin() + static_cast<std::ptrdiff_t>(options.size() / 2);
   std::ranges::nth_element(options, middle);
