@@ -20,7 +20,7 @@ class RevisitPolicy {
     double detection_probability = 0.95;
     double false_alarm_probability = 0.01;
     double settled_entropy = 0.25;
-    int settled_looks = 2;
+    int settled_looks = 4;
     double fruitless_decay = 0.5;
     int give_up_looks = 3;
     template <class Visitor>

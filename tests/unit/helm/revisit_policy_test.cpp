@@ -97,6 +97,14 @@ TEST_F(RevisitPolicyTest, ASettledObjectIsSettledHoweverManyLooksWereFruitless) 
   EXPECT_EQ(policy.InterestIn(object, now_).state, "settled");
 }
 
+TEST_F(RevisitPolicyTest, TwoLooksThatLeaveInDoubtWhetherItIsGoneDoNotSettleIt) {
+  const RevisitPolicy policy(params_);
+  WatchedObject object = Unknown();
+  object.belief.posterior = {.confirmed = 0.26, .removed = 0.74};
+  object.belief.looks = 2;
+  EXPECT_EQ(policy.InterestIn(object, now_).state, "open");
+}
+
 TEST_F(RevisitPolicyTest, WantsNoLookAtWhatCannotBeReachedAndLeftAgain) {
   const RevisitPolicy policy(params_);
   EXPECT_EQ(policy.InterestIn(Unknown(0.0), now_).state, "open");
