@@ -18,10 +18,13 @@ commands="$root/build-lint/alone"
 plugin="$root/build-lint/own_code.so"
 export root clean findings deadline commands plugin
 
-prepare() { # compile commands and precompiled headers, by Clang, and the plugin
+configure() { # compile commands, by Clang
   cmake -S "$root" -B "$commands" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++-14 \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBUILD_TESTING=ON >"$commands.log" 2>&1 || { cat "$commands.log" >&2; return 1; }
   rm -f "$commands.log"
+}
+
+prepare() { # what every file is read with: precompiled headers and the plugin
   ninja -C "$commands" --quiet limpet_precompiled limpet_precompiled_quick limpet_precompiled_tests
   clang++-14 -std=c++17 -O1 -fno-rtti -fPIC -shared -I/usr/lib/llvm-14/include share/tools/own_code.cpp -o "$plugin"
 }
@@ -103,13 +106,14 @@ export -f texts_of tidy look_at
 mkdir -p build-lint "$clean"
 find "$clean" -type f -mtime +30 -delete
 : >"$findings"
-prepare
+configure
 select=cat
 if [ "${1:-}" != --all ]; then
   if is_base_known; then select=to_read; else echo "lint: share/tools/lint_base names no commit known here" >&2; fi
 fi
 compile_commands | "$select" | newest_first >build-lint/reading
 echo "lint: $(wc -l <build-lint/reading) files to read" >&2
+[ ! -s build-lint/reading ] || prepare
 tr '\n' '\0' <build-lint/reading | xargs -0 -r -P "$(nproc)" -n 1 bash -o pipefail -c 'look_at "$1"' -
 left="$(grep -c left "$findings" || true)"
 [ "$left" -eq 0 ] || echo "lint: $left files left for another time" >&2
