@@ -40,7 +40,7 @@ TEST_F(BhvRevisitOpi, HasNoOpinionOnceAllIsKnown) {
   EXPECT_FALSE(behavior.Value(Seen(Straight(20.0)), now_));
   now_.objects = {ObjectAt(10.0, 0.0, {.confirmed = 0.5, .removed = 0.5})};
   EXPECT_TRUE(behavior.Value(Seen(Straight(20.0)), now_));
-  now_.objects[0].belief.looks = 2;
+  now_.objects[0].belief.looks = RevisitPolicy::Params{}.settled_looks;
   EXPECT_FALSE(behavior.Value(Seen(Straight(20.0)), now_)) << "looked at often enough";
   now_.objects[0].belief.looks = 0;
   now_.objects[0].window.reset();
