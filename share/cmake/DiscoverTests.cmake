@@ -1,5 +1,6 @@
 # Writes to FOUND what CTest is to run of the GoogleTest PROGRAM: its suites, or, where SINGLY, its tests. TIMEOUT [s] is a
-# test's; a suite has a quarter of it more for each further test. What is expected to take longer is begun first.
+# test's; a suite has a quarter of it more for each further test. What is expected to take longer is begun first. No output says
+# that something was skipped: CTest would let it outdo the exit status. `./limpet test` counts what skipped itself.
 execute_process(COMMAND "${PROGRAM}" --gtest_list_tests WORKING_DIRECTORY "${FOLDER}" OUTPUT_VARIABLE listed
                 RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
@@ -11,7 +12,7 @@ function(tell test filter timeout cost)
   set(name "[==[${NAME}/${test}]==]")  # a suite may be named as one of another program
   file(APPEND "${FOUND}.new" "add_test(${name} \"${PROGRAM}\" [==[--gtest_filter=${filter}]==])\n"
        "set_tests_properties(${name} PROPERTIES WORKING_DIRECTORY \"${FOLDER}\" LABELS ${NAME} TIMEOUT ${timeout} "
-       "COST ${cost} SKIP_REGULAR_EXPRESSION [==[\\[  PASSED  \\] 0 tests]==])\n")
+       "COST ${cost})\n")
 endfunction()
 
 function(tell_suite suite tests)
