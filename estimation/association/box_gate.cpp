@@ -24,22 +24,6 @@ struct AxisOffset {
   double size = 0.0;    ///< of the expected box [px]
 };
 
-/// Of a sphere's image along one axis, as if it had no border [px].
-struct ExpectedExtent {
-  double low, centre, high;
-};
-
-ExpectedExtent ExtentOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C, double radius,
-                              int axis) {
-  const double side = p_C(axis), depth = p_C.z();
-  const double f = axis == 0 ? camera.fx : camera.fy, c = axis == 0 ? camera.cx : camera.cy;
-  const double middle = std::atan2(side, depth);
-  const double half = std::asin(std::min(radius / std::hypot(side, depth), 0.99));
-  return {.low = c + f * std::tan(std::max(middle - half, -1.5)),
-          .centre = c + f * side / depth,
-          .high = c + f * std::tan(std::min(middle + half, 1.5))};
-}
-
 /// Where a sphere's edge appears that the border leaves, the end of its image without a border if
 /// it is too near to tell.
 double ShownEdge(const CameraModel& camera, const Eigen::Vector3d& p_C, double radius, BoxEnd end,
@@ -54,12 +38,12 @@ std::optional<AxisOffset> OffsetAlong(const CameraModel& camera, const Eigen::Ve
                                       double radius, const ReadDetection& seen, int axis) {
   const BoxExtent box = axis == 0 ? ExtentAcross(seen.box, camera) : ExtentAlong(seen.box, camera);
   if (box.is_low_cut && box.is_high_cut) return std::nullopt;
-  const ExpectedExtent expected = ExtentOfSphere(camera, p_C, radius, axis);
+  const SphereExtent expected = ExtentOfSphere(camera, p_C, radius, axis);
   const double size = expected.high - expected.low;
   if (!box.is_cut()) return AxisOffset{seen.reading.centre_px(axis) - expected.centre, size};
   const BoxEnd end{.axis = axis, .side = box.is_low_cut ? 1 : -1};
   const double of_whole = box.is_low_cut ? expected.high : expected.low;
-  return AxisOffset{box.shown_edge() - ShownEdge(camera, p_C, radius, end, of_whole), size};
+  return AxisOffset{box.shown_end() - ShownEdge(camera, p_C, radius, end, of_whole), size};
 }
 
 /// Predicted pixel: covariance, from that of pose and object.

@@ -29,10 +29,9 @@ double CentreSigma(const Box& box, double size, const BoxNoise& noise) {
 }
 
 /// What the axes that are cut show.
-std::array<std::optional<CutAxisFactor::Extent>, 2> CutAxes(const Box& box,
-                                                            const BoxReading& reading,
-                                                            const std::array<BoxExtent, 2>& extents,
-                                                            const BoxNoise& noise) {
+std::array<std::optional<CutAxisFactor::Measurement>, 2> CutAxes(
+    const Box& box, const BoxReading& reading, const std::array<BoxExtent, 2>& extents,
+    const BoxNoise& noise) {
   const double unsure = std::max(noise.sure_cap - std::clamp(box.confidence, 0.0, 1.0), 0.0);
   const double share =
       noise.edge_share * (ShowsCentre(reading) ? 1.0 : 1.0 + noise.cap_doubt * unsure);
@@ -40,16 +39,12 @@ std::array<std::optional<CutAxisFactor::Extent>, 2> CutAxes(const Box& box,
   const double longer = std::max(box.w, box.h);
   const double free = reading.sigma_px.minCoeff();
   const double placed = std::isfinite(free) ? free : CentreSigma(box, longer, noise);
-  std::array<std::optional<CutAxisFactor::Extent>, 2> axes;
+  std::array<std::optional<CutAxisFactor::Measurement>, 2> axes;
   for (std::size_t axis = 0; axis < extents.size(); ++axis) {
-    const BoxExtent& extent = extents[axis];
-    if (!extent.is_cut()) continue;
-    axes[axis] = CutAxisFactor::Extent{.axis = static_cast<int>(axis),
-                                       .low = extent.low,
-                                       .high = extent.high,
-                                       .is_low_cut = extent.is_low_cut,
-                                       .is_high_cut = extent.is_high_cut,
-                                       .sigma_px = std::hypot(placed, share * longer)};
+    if (!extents[axis].is_cut()) continue;
+    axes[axis] = CutAxisFactor::Measurement{.axis = static_cast<int>(axis),
+                                            .box = extents[axis],
+                                            .sigma_px = std::hypot(placed, share * longer)};
   }
   return axes;
 }
@@ -58,7 +53,8 @@ Eigen::Vector2d SizePlanes(const BoxReading& reading) {
   if (reading.is_whole()) return {0.5, 0.5};
   Eigen::Vector2d planes = Eigen::Vector2d::Zero();
   const std::size_t cut = reading.is_cut_u ? 0 : 1;
-  if (reading.cut_axes[cut]->is_half_cut() && ShowsCentre(reading)) planes(cut == 0 ? 1 : 0) = 1.0;
+  if (reading.cut_axes[cut]->box.is_half_cut() && ShowsCentre(reading))
+    planes(cut == 0 ? 1 : 0) = 1.0;
   return planes;
 }
 

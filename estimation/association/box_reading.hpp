@@ -34,7 +34,7 @@ struct BoxReading {
   Eigen::Vector2d half_angle = Eigen::Vector2d::Zero();
   bool is_cut_u = false, is_cut_v = false;
   /// Of the axes that are cut.
-  std::array<std::optional<CutAxisFactor::Extent>, 2> cut_axes;
+  std::array<std::optional<CutAxisFactor::Measurement>, 2> cut_axes;
 
   /// Planes (xz, yz) of the camera that tell the sphere's size: both of a whole box; of one cut at
   /// one end only, the free axis' if more than half of the sphere shows; else none.
@@ -45,7 +45,7 @@ struct BoxReading {
   /// Of a sphere of `radius` (0: unknown): one axis its centre, or both an edge.
   [[nodiscard]] bool TellsPlace(double radius) const {
     if (!is_cut_u || !is_cut_v) return true;
-    return radius > 0.0 && cut_axes[0]->is_half_cut() && cut_axes[1]->is_half_cut();
+    return radius > 0.0 && cut_axes[0]->box.is_half_cut() && cut_axes[1]->box.is_half_cut();
   }
   /// Distance in those planes [m] of a sphere of `radius`, their mean if both tell.
   [[nodiscard]] std::optional<double> Range(double radius) const;

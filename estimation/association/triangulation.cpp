@@ -31,10 +31,10 @@ constexpr double kMostLogSize = 2.0;  // seven times as large or small
 /// the usual size from that.
 Eigen::Vector2d CentreGuess(const BoxReading& reading, const CameraModel& camera, double radius) {
   Eigen::Vector2d centre = reading.centre_px;
-  for (const std::optional<CutAxisFactor::Extent>& cut : reading.cut_axes) {
-    if (!cut || !cut->is_half_cut()) continue;
+  for (const std::optional<CutAxisFactor::Measurement>& cut : reading.cut_axes) {
+    if (!cut || !cut->box.is_half_cut()) continue;
     const double half = (cut->axis == 0 ? camera.fx : camera.fy) * radius / kUsualDistance;
-    centre(cut->axis) = cut->is_low_cut ? cut->high - half : cut->low + half;
+    centre(cut->axis) = cut->box.CentreOf(half);
   }
   return centre;
 }
@@ -77,7 +77,7 @@ std::vector<Term> CollectTerms(const Observation& observation, int slot, const C
     terms.push_back(
         bind(RangeFactor(camera, Meters(*range), Meters(sigma), reading.size_planes_C), loss));
   }
-  for (const std::optional<CutAxisFactor::Extent>& cut : reading.cut_axes) {
+  for (const std::optional<CutAxisFactor::Measurement>& cut : reading.cut_axes) {
     if (cut && model.radius_m > 0.0)
       terms.push_back(bind(CutAxisFactor(camera, Meters(model.radius_m), *cut), loss));
   }

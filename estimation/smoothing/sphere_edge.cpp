@@ -9,6 +9,9 @@ namespace {
 
 constexpr double kWidest = 1.4;      // [rad] from the optical axis
 constexpr double kNotInside = 1.02;  // radii from the centre
+/// As far as the extent of a whole sphere goes: the sine of its half angle, and its ends' angles
+/// from the optical axis [rad].
+constexpr double kMostSine = 0.99, kFarthest = 1.5;
 /// Of the radius: a sphere that the border misses, or barely touches, ends in a circle this small
 /// there. Of its true one the derivative is without bound.
 constexpr double kLeastCircle = 0.1;
@@ -106,6 +109,17 @@ double TouchedAt(const SphereCentre& centre, const PlaneCircle& circle, double a
 }
 
 }  // namespace
+
+SphereExtent ExtentOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C, double radius,
+                            int axis) {
+  const PinholeAxis image = AxisOf(camera, axis);
+  const double side = p_C(axis), depth = p_C.z();
+  const double middle = std::atan2(side, depth);
+  const double half = std::asin(std::min(radius / std::hypot(side, depth), kMostSine));
+  return {.low = image.c + image.f * std::tan(std::max(middle - half, -kFarthest)),
+          .centre = image.c + image.f * side / depth,
+          .high = image.c + image.f * std::tan(std::min(middle + half, kFarthest))};
+}
 
 std::optional<SphereEdge> EdgeOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                        double radius, BoxEnd end) {

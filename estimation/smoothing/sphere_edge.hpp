@@ -29,4 +29,15 @@ struct SphereEdge {
                                                      const Eigen::Vector3d& p_C, double radius,
                                                      BoxEnd end);
 
+/// The image of a sphere along one axis, as if it had no border [px]: its ends, and where its
+/// centre projects, which is not their middle.
+struct SphereExtent {
+  double low, centre, high;
+};
+
+/// Of a sphere about `p_C` [m]. One that is next to the camera, or holds it, ends far outside any
+/// image, but somewhere.
+[[nodiscard]] SphereExtent ExtentOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
+                                          double radius, int axis);
+
 }  // namespace limpet

@@ -5,6 +5,7 @@
 
 #include "estimation/smoothing/factors/camera_factor.hpp"
 #include "estimation/smoothing/sphere_edge.hpp"
+#include "limpet/core/box_extent.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -15,17 +16,14 @@ namespace limpet {
 /// inside the sphere, the residual of an end that shows is large and its derivative zero.
 class CutAxisFactor : public CameraFactor<CutAxisFactor, 2> {
  public:
-  struct Extent {
-    int axis = 0;                  ///< along u (0) or v (1)
-    double low = 0.0, high = 0.0;  ///< ends of the box [px]
-    bool is_low_cut = false, is_high_cut = false;
+  struct Measurement {
+    int axis = 0;  ///< along u (0) or v (1)
+    BoxExtent box{};
     double sigma_px = 1.0;
-    /// One end shows.
-    [[nodiscard]] bool is_half_cut() const { return is_low_cut != is_high_cut; }
   };
   /// `camera` must outlive the factor.
-  CutAxisFactor(const CameraModel& camera, Meters radius, const Extent& extent)
-      : CameraFactor(camera), radius_(radius.value()), extent_(extent) {}
+  CutAxisFactor(const CameraModel& camera, Meters radius, const Measurement& seen)
+      : CameraFactor(camera), radius_(radius.value()), seen_(seen) {}
 
   /// Of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
@@ -41,25 +39,25 @@ class CutAxisFactor : public CameraFactor<CutAxisFactor, 2> {
     const double radius = radius_ * std::exp(log_size);
     for (const int row : {0, 1}) {
       const int side = row == 0 ? -1 : 1;
-      const bool is_cut = row == 0 ? extent_.is_low_cut : extent_.is_high_cut;
-      const auto edge = EdgeOfSphere(camera(), p_C, radius, {.axis = extent_.axis, .side = side});
+      const bool is_cut = row == 0 ? seen_.box.is_low_cut : seen_.box.is_high_cut;
+      const auto edge = EdgeOfSphere(camera(), p_C, radius, {.axis = seen_.axis, .side = side});
       if (!edge) {
-        r(row) = is_cut ? 0.0 : kLost_px / extent_.sigma_px;
+        r(row) = is_cut ? 0.0 : kLost_px / seen_.sigma_px;
         continue;
       }
-      const double off_px = edge->px - (row == 0 ? extent_.low : extent_.high);
+      const double off_px = edge->px - (row == 0 ? seen_.box.low : seen_.box.high);
       const bool goes_on = is_cut && side * off_px >= 0.0;
       if (goes_on) continue;
-      r(row) = off_px / extent_.sigma_px;
-      J_C.row(row) = edge->by_p_C / extent_.sigma_px;
-      J_size(row) = edge->by_log_radius / extent_.sigma_px;
+      r(row) = off_px / seen_.sigma_px;
+      J_C.row(row) = edge->by_p_C / seen_.sigma_px;
+      J_size(row) = edge->by_log_radius / seen_.sigma_px;
     }
     return r;
   }
 
  private:
   double radius_;
-  Extent extent_;
+  Measurement seen_;
 };
 
 }  // namespace limpet

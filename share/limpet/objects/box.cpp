@@ -26,13 +26,6 @@ BoxExtent ExtentOf(const BoxSide& side, int image_px) {
 
 }  // namespace
 
-double BoxExtent::CentreOf(double half) const {
-  if (is_half_cut()) {
-    return is_low_cut ? high - half : low + half;
-  }
-  return 0.5 * (low + high);
-}
-
 BoxExtent ExtentAcross(const Box& box, int width_px) {
   return ExtentOf({.centre = box.u, .size = box.w, .other = box.h}, width_px);
 }

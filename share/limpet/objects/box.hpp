@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "limpet/core/box_extent.hpp"
 #include "limpet/core/camera_model.hpp"
 
 namespace limpet {
@@ -20,21 +21,6 @@ struct Box {
 /// A box's edge this near the image's border is the border, not the object's edge [px]: detectors
 /// place an edge no better than that.
 inline constexpr double kBorderMargin = 2.0;
-
-/// A box along one axis of the image: its two edges [px], and which of them the image's border
-/// cuts. A cut edge tells nothing of the object but that it goes on.
-struct BoxExtent {
-  double low = 0.0, high = 0.0;
-  bool is_low_cut = false, is_high_cut = false;
-  [[nodiscard]] bool is_cut() const { return is_low_cut || is_high_cut; }
-  /// One edge shows.
-  [[nodiscard]] bool is_half_cut() const { return is_low_cut != is_high_cut; }
-  /// The edge that shows; REQUIRES is_half_cut().
-  [[nodiscard]] double shown_edge() const { return is_low_cut ? high : low; }
-  /// Centre of an object whose image has this half size: of a half cut one from the edge that
-  /// shows, else the middle.
-  [[nodiscard]] double CentreOf(double half) const;
-};
 
 /// Along u and along v, in an image so many pixels wide, so many high.
 [[nodiscard]] BoxExtent ExtentAcross(const Box& box, int width_px);

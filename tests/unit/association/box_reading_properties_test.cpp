@@ -66,8 +66,8 @@ TEST_P(BoxReadingProperties, AnEdgeThatTheBorderCutsSaysNothingAlongItsAxis) {
     const auto& [across, along] = reading.cut_axes;
     ASSERT_TRUE(across && !along);
     EXPECT_EQ(across->axis, 0);
-    EXPECT_EQ(across->is_high_cut, side > 0.0);
-    EXPECT_TRUE(across->is_half_cut());
+    EXPECT_EQ(across->box.is_high_cut, side > 0.0);
+    EXPECT_TRUE(across->box.is_half_cut());
     EXPECT_GT(across->sigma_px, reading.sigma_px.y());
   }
 }
@@ -82,8 +82,8 @@ TEST_P(BoxReadingProperties, ABoxInACornerTellsItsTwoEdgesAndNoSize) {
     EXPECT_FALSE(reading.tells_size());
     const auto& [across, along] = reading.cut_axes;
     ASSERT_TRUE(across && along);
-    EXPECT_NEAR(across->low, box->u - 0.5 * box->w, 1e-9);
-    EXPECT_NEAR(along->low, box->v - 0.5 * box->h, 1e-9);
+    EXPECT_NEAR(across->box.low, box->u - 0.5 * box->w, 1e-9);
+    EXPECT_NEAR(along->box.low, box->v - 0.5 * box->h, 1e-9);
   }
 }
 

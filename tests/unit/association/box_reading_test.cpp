@@ -63,8 +63,8 @@ TEST(BoxReading, KeepsTheEdgeThatShowsOfACutBox) {
   const auto& [across, along] = reading.cut_axes;
   ASSERT_TRUE(across && !along);
   EXPECT_EQ(across->axis, 0);
-  EXPECT_TRUE(across->is_high_cut && !across->is_low_cut);
-  EXPECT_NEAR(across->low, box->u - 0.5 * box->w, 1e-9);
+  EXPECT_TRUE(across->box.is_high_cut && !across->box.is_low_cut);
+  EXPECT_NEAR(across->box.low, box->u - 0.5 * box->w, 1e-9);
 }
 
 TEST(BoxReading, TrustsTheEdgeOfACapThatTheDetectorIsNotSureOfLessThanThatOfMoreThanHalf) {

@@ -52,10 +52,10 @@ TEST(BoxExtent, OfARoundThingIsNotFlatNearTheBorderUnlessThatCutsIt) {
 TEST(BoxExtent, SaysOfAHalfCutObjectWhereItsCentreIsFromTheEdgeThatShows) {
   const BoxExtent left = ExtentAcross(BoxBetween(0, 100, 60, 200), kCamera);
   EXPECT_TRUE(left.is_half_cut());
-  EXPECT_EQ(left.shown_edge(), 60);
+  EXPECT_EQ(left.shown_end(), 60);
   EXPECT_EQ(left.CentreOf(50.0), 10.0);
   const BoxExtent right = ExtentAcross(BoxBetween(600, 100, 640, 200), kCamera);
-  EXPECT_EQ(right.shown_edge(), 600);
+  EXPECT_EQ(right.shown_end(), 600);
   EXPECT_EQ(right.CentreOf(50.0), 650.0);
 }
 

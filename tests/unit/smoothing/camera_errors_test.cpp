@@ -82,8 +82,8 @@ TEST_F(CameraErrorsTest, ATiltTurnsThePictureAboutTheCameraNotTheBody) {
 TEST_F(CameraErrorsTest, JacobiansMatchCentralDifferences) {
   ExpectJacobiansMatch(ReprojectionFactor(camera_, {200.0, 210.0}, {2.0, 3.0}));
   ExpectJacobiansMatch(RangeFactor(camera_, Meters(2.5), Meters(0.3)));
-  ExpectJacobiansMatch(CutAxisFactor(camera_, Meters(0.4),
-                                     {.axis = 1, .low = 150.0, .high = 250.0, .sigma_px = 3.0}));
+  ExpectJacobiansMatch(CutAxisFactor(
+      camera_, Meters(0.4), {.axis = 1, .box = {.low = 150.0, .high = 250.0}, .sigma_px = 3.0}));
 }
 
 TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) {
@@ -114,7 +114,7 @@ TEST_F(CameraErrorsTest, ALookAtAnObjectOfUnknownSizeMatchesCentralDifferences) 
   };
   expect_match(RangeFactor(camera_, Meters(2.5), Meters(0.3)));
   expect_match(CutAxisFactor(camera_, Meters(0.4),
-                             {.axis = 1, .low = 150.0, .high = 250.0, .sigma_px = 3.0}));
+                             {.axis = 1, .box = {.low = 150.0, .high = 250.0}, .sigma_px = 3.0}));
 }
 
 }  // namespace

@@ -117,12 +117,42 @@ TEST_P(SphereEdges, MoveWithCentreAndSizeAsTheirDerivativesSay) {
   EXPECT_GT(checked, 50);
 }
 
+TEST_P(SphereEdges, OfASphereAllInsideTheImageAreTheEndsOfItsExtent) {
+  int checked = 0;
+  for (int i = 0; i < 200; ++i) {
+    const SphereInView sphere = DrawSphere();
+    for (const int axis : {0, 1}) {
+      const auto end_px = [&](int side) {
+        return EdgeOfSphere(camera_, sphere.p_C, sphere.radius, {axis, side}).value().px;
+      };
+      const SphereExtent u = ExtentOfSphere(camera_, sphere.p_C, sphere.radius, 0);
+      const SphereExtent v = ExtentOfSphere(camera_, sphere.p_C, sphere.radius, 1);
+      const bool is_inside =
+          u.low > 0.0 && v.low > 0.0 && u.high < camera_.width_px && v.high < camera_.height_px;
+      if (!is_inside) continue;
+      const SphereExtent& extent = axis == 0 ? u : v;
+      EXPECT_NEAR(extent.low, end_px(-1), 1e-9);
+      EXPECT_NEAR(extent.high, end_px(1), 1e-9);
+      EXPECT_TRUE(extent.low < extent.centre && extent.centre < extent.high);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 10);
+}
+
 INSTANTIATE_TEST_SUITE_P(Drawn, SphereEdges, ::testing::Range(1, 9));
 
 TEST(SphereEdge, IsNoneInsideTheSphereAndNearTheCamerasPlane) {
   const CameraModel camera;
   EXPECT_FALSE(EdgeOfSphere(camera, {0.1, 0.0, 0.5}, 0.6, {.axis = 0, .side = 1}));
   EXPECT_FALSE(EdgeOfSphere(camera, {9.0, 0.0, 0.5}, 0.6, {.axis = 0, .side = 1}));
+}
+
+TEST(SphereExtent, OfASphereAboutTheCameraGoesFarBeyondAnyImage) {
+  const CameraModel camera;
+  const SphereExtent extent = ExtentOfSphere(camera, {0.1, 0.0, 0.5}, 0.9, 0);
+  EXPECT_LT(extent.low, -camera.width_px);
+  EXPECT_GT(extent.high, 2.0 * camera.width_px);
 }
 
 }  // namespace
