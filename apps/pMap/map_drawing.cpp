@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "limpet/objects/status_color.hpp"
 
 namespace limpet {
 namespace {
@@ -19,23 +24,7 @@ double HorizontalSigma(const OpiBelief& belief) {
   return std::sqrt(std::max(0.0, mean + std::hypot(0.5 * (nn - ee), ne)));
 }
 
-const char* ColorOf(Status status) {
-  switch (status) {
-    case Status::kConfirmed:
-      return "green";
-    case Status::kNew:
-      return "orange";
-    case Status::kMoved:
-      return "magenta";
-    case Status::kRemoved:
-      return "gray50";
-    case Status::kUncertain:
-    case Status::kNotInspected:
-    case Status::kNothing:
-      break;
-  }
-  return "yellow";
-}
+constexpr std::string_view kUndecided = "yellow";
 
 }  // namespace
 
@@ -60,7 +49,8 @@ void MapDrawing::Draw(const OpiBeliefs& beliefs) {
     const Place& place = PlaceOf(belief);
     const MapPoint at = MapPointOf(place.north, place.east);
     const std::string label = prefix_ + std::to_string(belief.id);
-    const char* color = ColorOf(belief.decided);
+    const std::optional<StatusColor> decided = ColorOf(belief.decided);
+    const std::string color(decided ? decided->moos : kUndecided);
     const bool is_removed = belief.decided == Status::kRemoved;
     shapes.push_back(
         {.label = label,

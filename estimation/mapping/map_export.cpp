@@ -2,21 +2,25 @@
 #include "estimation/mapping/map_export.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <octomap/ColorOcTree.h>
 
 #include "estimation/mapping/octree_stream.hpp"
+#include "estimation/mapping/status_label.hpp"
+#include "limpet/objects/status_color.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr std::array<const char*, 6> kLabelNames{"ground",  "uncertain", "confirmed",
-                                                 "removed", "new",       "moved"};
+std::string_view NameOf(VoxelLabel label) {
+  const std::optional<Status> status = StatusOf(label);
+  return status ? limpet::NameOf(*status) : "ground";
+}
 
 double Probability(float log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
 
@@ -50,21 +54,11 @@ Expected<OccupiedMap> OccupiedOfStream(std::string_view bytes) {
 }
 
 VoxelColor ColorOf(const VoxelBelief& belief) {
-  switch (belief.label) {
-    case VoxelLabel::kGround:
-      return {150, 140, 125};
-    case VoxelLabel::kUncertain:
-      return {240, 228, 66};
-    case VoxelLabel::kConfirmed:
-      return {0, 114, 178};
-    case VoxelLabel::kRemoved:
-      return {213, 94, 0};
-    case VoxelLabel::kNew:
-      return {0, 158, 115};
-    case VoxelLabel::kMoved:
-      return {204, 121, 167};
-  }
-  return {255, 255, 255};
+  const std::optional<Status> status = StatusOf(belief.label);
+  if (!status) return {150, 140, 125};  // the seabed's grey
+  const std::optional<StatusColor> decided = ColorOf(*status);
+  if (!decided) return {240, 228, 66};  // a yellow that stands out against it
+  return {decided->red, decided->green, decided->blue};
 }
 
 std::string ToCsv(const OccupiedMap& map) {
@@ -74,7 +68,7 @@ std::string ToCsv(const OccupiedMap& map) {
                    "{:.3f},{:.3f},{:.3f},{:.3f},{:.4f},{:.4f},{:.4f},{}\n", voxel.p_W.x(),
                    voxel.p_W.y(), voxel.p_W.z(), voxel.size, Probability(voxel.belief.occupied),
                    Probability(voxel.belief.object), Probability(voxel.belief.exists),
-                   kLabelNames.at(static_cast<std::size_t>(voxel.belief.label)));
+                   NameOf(voxel.belief.label));
   }
   return text;
 }

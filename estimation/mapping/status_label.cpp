@@ -21,4 +21,22 @@ VoxelLabel LabelOf(Status decided) {
   return VoxelLabel::kUncertain;
 }
 
+std::optional<Status> StatusOf(VoxelLabel label) {
+  switch (label) {
+    case VoxelLabel::kGround:
+      return std::nullopt;
+    case VoxelLabel::kConfirmed:
+      return Status::kConfirmed;
+    case VoxelLabel::kRemoved:
+      return Status::kRemoved;
+    case VoxelLabel::kNew:
+      return Status::kNew;
+    case VoxelLabel::kMoved:
+      return Status::kMoved;
+    case VoxelLabel::kUncertain:
+      break;
+  }
+  return Status::kUncertain;
+}
+
 }  // namespace limpet

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <string>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "limpet/figures/figures.hpp"
 #include "limpet/figures/map_axes.hpp"
 #include "limpet/figures/map_symbols.hpp"
 #include "limpet/figures/probability_text.hpp"
+#include "limpet/objects/status_posterior.hpp"
 #include "limpet/scoring/verdict.hpp"
 
 namespace limpet {
@@ -15,7 +19,7 @@ using Point = SvgCanvas::Point;
 void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
   if (!change.p_W) return;
   const Point at = map.At(change.p_W->x(), change.p_W->y());
-  DrawStatus(map.canvas(), at, change.decided, 8.0);
+  DrawStatus(map.canvas(), at, StatusFromName(change.decided).value_or(Status::kUncertain), 8.0);
   const std::string decided = change.decided + " " + ProbabilityText(change.probability);
   PlaceLabel label{.lines = {decided}};
   if (is_judged) label.lines = {change.truth.value_or("nothing is here"), decided};
@@ -29,17 +33,17 @@ void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
 
 void DrawChangeLegend(MapAxes& map, bool is_judged) {
   map.LegendHeading("Decided");
-  const char* const meanings[][2] = {{"confirmed", "confirmed: there both times"},
-                                     {"removed", "removed: there before only"},
-                                     {"new", "new: there now only"},
-                                     {"moved", "moved: there, elsewhere"},
-                                     {"uncertain", "uncertain: looks say too little"},
-                                     {"not_inspected", "not inspected: no look"}};
-  for (const auto& meaning : meanings) {
-    const std::string status = meaning[0];
-    map.Legend(
-        [status](SvgCanvas& canvas, const Point& at) { DrawStatus(canvas, at, status, 6.5); },
-        meaning[1]);
+  constexpr std::pair<Status, const char*> kMeanings[] = {
+      {Status::kConfirmed, "confirmed: there both times"},
+      {Status::kRemoved, "removed: there before only"},
+      {Status::kNew, "new: there now only"},
+      {Status::kMoved, "moved: there, elsewhere"},
+      {Status::kUncertain, "uncertain: looks say too little"},
+      {Status::kNotInspected, "not inspected: no look"}};
+  for (const auto& [status, meaning] : kMeanings) {
+    map.Legend([drawn = status](SvgCanvas& canvas,
+                                const Point& at) { DrawStatus(canvas, at, drawn, 6.5); },
+               meaning);
   }
   if (!is_judged) return;
   map.LegendHeading("Truth");

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "limpet/core/units.hpp"
+#include "limpet/objects/status_color.hpp"
 
 namespace limpet {
 namespace {
@@ -13,14 +15,6 @@ namespace {
 using Point = SvgCanvas::Point;
 
 }  // namespace
-
-std::string_view StatusColor(const std::string& status) {
-  if (status == "confirmed") return palette::kGreen;
-  if (status == "removed") return palette::kVermillion;
-  if (status == "new") return palette::kBlue;
-  if (status == "moved") return palette::kPurple;
-  return palette::kMapMuted;
-}
 
 void DrawTriangle(SvgCanvas& canvas, const Point& centre, double radius, double turn_rad,
                   const Paint& paint) {
@@ -37,24 +31,25 @@ void DrawCross(SvgCanvas& canvas, const Point& centre, double radius, const Pain
   canvas.Line(centre - Point(radius, -radius), centre + Point(radius, -radius), paint);
 }
 
-void DrawStatus(SvgCanvas& canvas, const Point& centre, const std::string& status, double radius) {
-  const std::string_view color = StatusColor(status);
+void DrawStatus(SvgCanvas& canvas, const Point& centre, Status status, double radius) {
+  const std::optional<StatusColor> decided = ColorOf(status);
+  const std::string_view color = decided ? decided->hex : palette::kMapMuted;
   const Paint solid{.fill = color, .stroke = palette::kHalo, .width = 1.5};
-  if (status == "confirmed") {
+  if (status == Status::kConfirmed) {
     canvas.Circle(centre, radius, solid);
-  } else if (status == "removed") {
+  } else if (status == Status::kRemoved) {
     DrawCross(canvas, centre, 0.85 * radius, {.stroke = palette::kHalo, .width = 6.5});
     DrawCross(canvas, centre, 0.85 * radius, {.stroke = color, .width = 3.5});
-  } else if (status == "new") {
+  } else if (status == Status::kNew) {
     DrawTriangle(canvas, centre + Point(0.0, 0.15 * radius), 1.3 * radius, 0.0, solid);
-  } else if (status == "moved") {
+  } else if (status == Status::kMoved) {
     canvas.Polygon({centre + Point(0.0, -1.2 * radius), centre + Point(1.2 * radius, 0.0),
                     centre + Point(0.0, 1.2 * radius), centre + Point(-1.2 * radius, 0.0)},
                    solid);
   } else {
     canvas.Rect(centre - Point(radius, radius) * 0.85, Point(radius, radius) * 1.7,
                 {.fill = palette::kHalo, .stroke = color, .width = 2.0});
-    if (status == "not_inspected") {
+    if (status == Status::kNotInspected) {
       const Point half = Point(radius, -radius) * 0.85;
       canvas.Line(centre - half, centre + half, {.stroke = color, .width = 2.0});
     }

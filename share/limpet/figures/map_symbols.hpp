@@ -8,15 +8,13 @@
 
 #include "limpet/figures/map_axes.hpp"
 #include "limpet/mission/scenario.hpp"
+#include "limpet/objects/status_posterior.hpp"
 
 namespace limpet {
 
-/// Colour of a change status; grey for what is not known.
-[[nodiscard]] std::string_view StatusColor(const std::string& status);
-
 /// confirmed: disc; removed: cross; new: triangle; moved: diamond; uncertain: hollow square;
 /// not_inspected: one with a stroke through it.
-void DrawStatus(SvgCanvas& canvas, const SvgCanvas::Point& centre, const std::string& status,
+void DrawStatus(SvgCanvas& canvas, const SvgCanvas::Point& centre, Status status,
                 double radius = 7.0);
 
 /// A true object: a ring of its real size.

@@ -29,7 +29,7 @@ TEST(MapExport, CsvListsOccupiedVoxelsInNed) {
 TEST(MapExport, PlyIsEastNorthUp) {
   const std::string ply = ToPly(OccupiedOf(OneVoxel()));
   EXPECT_THAT(ply, HasSubstr("element vertex 1\n"));
-  EXPECT_THAT(ply, HasSubstr("end_header\n2.100 1.100 -3.100 0 158 115\n"));
+  EXPECT_THAT(ply, HasSubstr("end_header\n2.100 1.100 -3.100 0 114 178\n"));
 }
 
 TEST(MapExport, ColorOctreeIsOneThatOctovisOpens) {

@@ -47,11 +47,11 @@ TEST_F(MapDrawingTest, CentimetresAreNotWorthAPost) {
   EXPECT_THAT(Draw({Belief(3, Status::kNew, 4.15)}), SizeIs(2));
 }
 
-TEST_F(MapDrawingTest, ARemovedObjectLosesItsCircleAndKeepsAGreyMarker) {
+TEST_F(MapDrawingTest, ARemovedObjectLosesItsCircleAndKeepsItsMarker) {
   static_cast<void>(Draw({Belief(3, Status::kUncertain)}));
   EXPECT_THAT(Draw({Belief(3, Status::kRemoved)}),
-              ElementsAre("VIEW_MARKER x=1,y=4,width=0.5,primary_color=gray50,type=square,"
-                          "label=alpha_opi_3,msg=yellow removed,label_color=gray50",
+              ElementsAre("VIEW_MARKER x=1,y=4,width=0.5,primary_color=orangered,type=square,"
+                          "label=alpha_opi_3,msg=yellow removed,label_color=orangered",
                           "VIEW_CIRCLE x=1,y=4,radius=0.3,active=false,label=alpha_opi_3,"
                           "label_color=invisible,edge_color=yellow,edge_size=1"));
 }
