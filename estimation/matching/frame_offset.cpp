@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/matching/frame_offset.hpp"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include "limpet/core/frames.hpp"
@@ -32,6 +34,10 @@ void FrameOffset::Move(const Eigen::Vector4d& step) {
   shift_W += step.head<2>();
   down += step(2);
   turn += step(3);
+}
+
+double TurnBetween(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W) {
+  return std::atan2(from_W.x() * to_W.y() - from_W.y() * to_W.x(), from_W.dot(to_W));
 }
 
 FrameOffset Together(const FrameOffset& first, const FrameOffset& second) {

@@ -23,6 +23,9 @@ struct FrameOffset {
   void Move(const Eigen::Vector4d& step);
 };
 
+/// The turn that brings the direction of one vector to that of another [rad], -pi to pi.
+[[nodiscard]] double TurnBetween(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W);
+
 /// `first`, then `second`, as one about the pivot of `first`.
 [[nodiscard]] FrameOffset Together(const FrameOffset& first, const FrameOffset& second);
 

@@ -65,8 +65,7 @@ class FrameSearch {
   };
 
   [[nodiscard]] double ReachOf(const ObjectEstimate& a, const ObjectEstimate& b) const {
-    const double floor = 4.0 * std::pow(params_.position_floor.value(), 2);
-    const double variance = (a.cov_W + b.cov_W).topLeftCorner<2, 2>().trace() + floor;
+    const double variance = params_.PairCovariance(a, b).topLeftCorner<2, 2>().trace();
     return params_.gate_sigmas * std::sqrt(variance);
   }
 
@@ -107,8 +106,7 @@ class FrameSearch {
                           std::abs(after.norm() - before.norm()) < ReachOf(*pair.b, b);
         if (!fits) continue;
         FrameOffset offset{.pivot_W = pivot_};
-        offset.turn =
-            std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+        offset.turn = TurnBetween(before, after);
         if (std::abs(offset.turn) > search_.turn.value()) continue;
         // Half way between the two pairs' middles: neither object decides alone.
         const Eigen::Vector3d middle = 0.5 * (pair.a->p_W + pair.b->p_W);

@@ -55,13 +55,11 @@ double MatchEvidence(const std::vector<ObjectEstimate>& former,
   const Eigen::Matrix3d frame = match.offset_cov(kHorizontal, kHorizontal);
   double evidence = prior.LogDensity(match.offset) + 1.5 * LogOf2Pi() +
                     0.5 * std::log(std::max(frame.determinant(), 1e-300));
-  const double floor = 2.0 * std::pow(params.position_floor.value(), 2);
   for (std::size_t i = 0; i < former.size(); ++i) {
     if (!match.now_of_former[i]) continue;
     const ObjectEstimate& there = now[static_cast<std::size_t>(*match.now_of_former[i])];
     const Eigen::Vector2d off = (there.p_W - match.offset.Apply(former[i].p_W)).head<2>();
-    const Eigen::Matrix2d S =
-        (former[i].cov_W + there.cov_W).topLeftCorner<2, 2>() + floor * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d S = params.PairCovariance(former[i], there).topLeftCorner<2, 2>();
     evidence += std::log(kFormerStays / DensityOf(there.color, now)) - LogOf2Pi() -
                 0.5 * std::log(S.determinant()) - 0.5 * off.dot(S.inverse() * off) -
                 0.5 * params.ColorCost(former[i], there);

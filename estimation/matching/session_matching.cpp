@@ -79,7 +79,7 @@ class SessionMatcher {
     for (const ObjectEstimate& a : former_) {
       const std::vector<const ObjectEstimate*> neighbours = NeighboursOf(a);
       for (const ObjectEstimate& b : now_) {
-        if (ColorCost(a, b) > kTellingColor) continue;
+        if (params_.ColorCost(a, b) > kTellingColor) continue;
         FrameOffset shifted{.pivot_W = pivot_};
         shifted.shift_W = b.p_W.head<2>() - a.p_W.head<2>();
         shifted.down = DownFrom(a, b);
@@ -114,12 +114,12 @@ class SessionMatcher {
     for (const ObjectEstimate& c : now_) {
       const Eigen::Vector2d after = (c.p_W - b.p_W).head<2>();
       const double misfit = after.norm() - before.norm();
-      if (&c == &b || ColorCost(neighbour, c) > kTellingColor ||
-          misfit * misfit > gate_ * PairCovariance(neighbour, c).trace()) {
+      if (&c == &b || params_.ColorCost(neighbour, c) > kTellingColor ||
+          misfit * misfit > gate_ * params_.PairCovariance(neighbour, c).trace()) {
         continue;
       }
       FrameOffset turned{.pivot_W = pivot_};
-      turned.turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+      turned.turn = TurnBetween(before, after);
       turned.shift_W = (b.p_W - turned.Apply(a.p_W)).head<2>();
       turned.down = DownFrom(a, b);
       AddStart(turned, std::nullopt, starts);
@@ -138,8 +138,8 @@ class SessionMatcher {
       const Eigen::Vector2d there = offset.Apply(a.p_W).head<2>();
       const double swing = pair ? params_.turn_sigma.value() * (a.p_W - *pair).norm() : 0.0;
       const auto is_near = [&](const ObjectEstimate& b) {
-        const double reach = gate_ * (PairCovariance(a, b).trace() + swing * swing);
-        return ColorCost(a, b) <= gate_ && (b.p_W.head<2>() - there).squaredNorm() < reach;
+        const double reach = gate_ * (params_.PairCovariance(a, b).trace() + swing * swing);
+        return params_.ColorCost(a, b) <= gate_ && (b.p_W.head<2>() - there).squaredNorm() < reach;
       };
       near += std::ranges::any_of(now_, is_near) ? 1 : 0;
     }
@@ -148,32 +148,22 @@ class SessionMatcher {
 
   /// What one pair says of the depth between the frames, weighed with the prior.
   [[nodiscard]] double DownFrom(const ObjectEstimate& a, const ObjectEstimate& b) const {
-    return (b.p_W.z() - a.p_W.z()) / (1.0 + prior_(2, 2) * PairCovariance(a, b)(2, 2));
+    return (b.p_W.z() - a.p_W.z()) / (1.0 + prior_(2, 2) * params_.PairCovariance(a, b)(2, 2));
   }
 
   [[nodiscard]] double PriorCost(const FrameOffset& offset) const {
     return offset.vector().dot(prior_ * offset.vector());
   }
 
-  [[nodiscard]] Eigen::Matrix3d PairCovariance(const ObjectEstimate& a,
-                                               const ObjectEstimate& b) const {
-    const double floor = 2.0 * std::pow(params_.position_floor.value(), 2);
-    return a.cov_W + b.cov_W + floor * Eigen::Matrix3d::Identity();
-  }
-
-  [[nodiscard]] double ColorCost(const ObjectEstimate& a, const ObjectEstimate& b) const {
-    return params_.ColorCost(a, b);
-  }
-
   /// Squared sigmas of a pair under an offset; far beyond the gate only that it is.
   [[nodiscard]] double Distance(const ObjectEstimate& a, const ObjectEstimate& b,
                                 const FrameOffset& offset) const {
     const Eigen::Vector3d error = b.p_W - offset.Apply(a.p_W);
-    const Eigen::Matrix3d covariance = PairCovariance(a, b);
+    const Eigen::Matrix3d covariance = params_.PairCovariance(a, b);
     if (error.squaredNorm() > gate_ * covariance.trace()) {
       return kImpossibleCost;
     }
-    return error.dot(covariance.inverse() * error) + ColorCost(a, b);
+    return error.dot(covariance.inverse() * error) + params_.ColorCost(a, b);
   }
 
   [[nodiscard]] FormerMatches Assign(const FrameOffset& offset,
@@ -223,7 +213,7 @@ class SessionMatcher {
         if (matches < 2) {
           J.col(3).setZero();  // one match cannot tell a turn from a shift
         }
-        const Eigen::Matrix3d weight = PairCovariance(a, b).inverse();
+        const Eigen::Matrix3d weight = params_.PairCovariance(a, b).inverse();
         information += J.transpose() * weight * J;
         pull += J.transpose() * weight * (b.p_W - offset.Apply(a.p_W));
       }
@@ -260,8 +250,8 @@ class SessionMatcher {
     const bool is_pinned = CountOf(match.now_of_former) >= kPinned;
     const Eigen::Matrix4d frame =
         is_pinned ? Eigen::Matrix4d(kWithoutIt * match.offset_cov) : prior_.inverse();
-    const double reach = (PairCovariance(a, b) + J * frame * J.transpose()).trace();
-    return ColorCost(a, b) <= gate_ &&
+    const double reach = (params_.PairCovariance(a, b) + J * frame * J.transpose()).trace();
+    return params_.ColorCost(a, b) <= gate_ &&
            (b.p_W - match.offset.Apply(a.p_W)).squaredNorm() <= gate_ * reach;
   }
 

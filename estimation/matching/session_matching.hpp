@@ -33,6 +33,13 @@ struct MatchingParams {
   [[nodiscard]] double ColorCost(const ObjectEstimate& a, const ObjectEstimate& b) const {
     return a.color == b.color ? 0.0 : color_penalty;
   }
+  /// Of how far apart two places are if they are one, before what the frames' offset leaves open:
+  /// both objects' own and what neither filter knows [m^2].
+  [[nodiscard]] Eigen::Matrix3d PairCovariance(const ObjectEstimate& a,
+                                               const ObjectEstimate& b) const {
+    const double floor = 2.0 * position_floor.value() * position_floor.value();
+    return a.cov_W + b.cov_W + floor * Eigen::Matrix3d::Identity();
+  }
 
   template <class V>
   void Describe(V& visit) {

@@ -18,8 +18,8 @@ constexpr double kNewDensity = 0.025;  // [1/m^2] of objects that came: 0.02 at 
 double DensityThere(const ObjectEstimate& former, const ObjectEstimate& landmark,
                     const SessionMatch& match, const MatchingParams& params) {
   const Eigen::Matrix<double, 3, 4> J = match.offset.Jacobian(former.p_W);
-  Eigen::Matrix3d S = former.cov_W + landmark.cov_W + J * match.offset_cov * J.transpose();
-  S.diagonal().array() += 2.0 * std::pow(params.position_floor.value(), 2);
+  const Eigen::Matrix3d S =
+      params.PairCovariance(former, landmark) + J * match.offset_cov * J.transpose();
   const Eigen::Vector3d off = landmark.p_W - match.offset.Apply(former.p_W);
   const double distance = off.dot(S.inverse() * off) + params.ColorCost(former, landmark);
   if (!(distance <= std::pow(params.gate_sigmas, 2))) {
