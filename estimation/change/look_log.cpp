@@ -44,18 +44,11 @@ LookLog::Evidence LookLog::Weigh(const FrameEvidence& frame) const {
           .faint_lookalike = LogChance(either(clutter), frame.has_box)};
 }
 
-bool LookLog::IsNewViewpoint(const FrameEvidence& frame) const {
-  const double moved = (frame.p_OC - look_->p_OC).norm();
-  const double cosine = frame.p_OC.normalized().dot(look_->p_OC.normalized());
-  return moved >= params_.new_look_distance.value() ||
-         cosine <= std::cos(params_.new_look_angle.value());
-}
-
 void LookLog::Add(const FrameEvidence& frame) {
   LIMPET_REQUIRE(!look_ || frame.time >= last_time_, "frames out of order");
   if (look_ && frame.time - last_time_ > params_.new_pass_gap.value()) {
     ClosePass();
-  } else if (look_ && IsNewViewpoint(frame)) {
+  } else if (look_ && params_.IsNewLook(frame.p_OC, look_->p_OC)) {
     CloseLook();
   }
   last_time_ = frame.time;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,18 @@ namespace limpet {
 /// When frames count as one look and looks as one pass, and how often a whole pass goes wrong, or
 /// all of one session.
 struct LookParams {
+  /// True if an object seen from `p_OC`, the camera from it [m], is another look than from
+  /// `former_p_OC`.
+  [[nodiscard]] bool IsNewLook(const Eigen::Vector3d& p_OC,
+                               const Eigen::Vector3d& former_p_OC) const {
+    return (p_OC - former_p_OC).norm() >= new_look_distance.value() ||
+           p_OC.normalized().dot(former_p_OC.normalized()) <= std::cos(new_look_angle.value());
+  }
+  /// The same of ground, for a vehicle that has gone and turned so far [m], [rad].
+  [[nodiscard]] bool IsNewLook(Meters gone, Radians turned) const {
+    return gone >= new_look_distance || turned >= new_look_angle;
+  }
+
   Meters new_look_distance{0.5};
   Radians new_look_angle = Radians::FromTextUnit(15.0);
   Seconds new_pass_gap{8.0};
@@ -95,7 +108,6 @@ class LookLog {
   };
 
   [[nodiscard]] Evidence Weigh(const FrameEvidence& frame) const;
-  [[nodiscard]] bool IsNewViewpoint(const FrameEvidence& frame) const;
   /// Evidence of a whole pass, which may have failed: it misses objects and lookalikes then.
   [[nodiscard]] Evidence OfPass(const Evidence& pass) const;
   void CloseLook();

@@ -30,7 +30,7 @@ bool GroundLooks::IsNewLook(const ObservedFrame& frame, const Passage& passage) 
   if (!passage.last_look) return true;
   const double turned = std::abs(WrapAngle(frame.X_WB.yaw - passage.last_look->yaw));
   const double gone = (frame.X_WB.p_WB - passage.last_look->p_WB).norm();
-  return gone >= looks_.new_look_distance.value() || turned >= looks_.new_look_angle.value();
+  return looks_.IsNewLook(Meters(gone), Radians(turned));
 }
 
 int GroundLooks::GoOn(Passage& passage, const std::vector<ObservedFrame>& frames,

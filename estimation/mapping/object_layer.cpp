@@ -27,13 +27,8 @@ void ObjectLayer::SetDetection(const DetectionModel& detection) {
     object.is_of_other_water = true;
 }
 
-bool ObjectLayer::IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const {
-  if (!object.last_viewpoint) {
-    return true;
-  }
-  const Eigen::Vector3d& last = *object.last_viewpoint;
-  return (p_OC - last).norm() >= status_.looks.new_look_distance.value() ||
-         p_OC.normalized().dot(last.normalized()) <= std::cos(status_.looks.new_look_angle.value());
+bool ObjectLayer::IsNewLook(const Painted& object, const Eigen::Vector3d& p_OC) const {
+  return !object.last_viewpoint || status_.looks.IsNewLook(p_OC, *object.last_viewpoint);
 }
 
 double ObjectLayer::RadiusOf(const Painted& object) const {
@@ -57,7 +52,7 @@ void ObjectLayer::Look(Painted& object, const ObservedFrame& frame,
                        const ObjectStatuses& statuses) const {
   const Eigen::Vector3d& p_W = object.status.object.p_W;
   const Eigen::Vector3d p_OC = frame.X_WB.p_WB - p_W;
-  if (!object.status.landmark || !IsNewViewpoint(object, p_OC)) {
+  if (!object.status.landmark || !IsNewLook(object, p_OC)) {
     return;
   }
   if (const Box* box = statuses.BoxOf(object.status, frame)) {

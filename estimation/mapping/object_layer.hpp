@@ -51,7 +51,7 @@ class ObjectLayer {
   };
 
   void Look(Painted& object, const ObservedFrame& frame, const ObjectStatuses& statuses) const;
-  [[nodiscard]] bool IsNewViewpoint(const Painted& object, const Eigen::Vector3d& p_OC) const;
+  [[nodiscard]] bool IsNewLook(const Painted& object, const Eigen::Vector3d& p_OC) const;
   [[nodiscard]] double RadiusOf(const Painted& object) const;
   /// What a frame without a box says; 0 where it would more likely than not have
   /// been overlooked.
