@@ -15,8 +15,11 @@
 namespace limpet {
 namespace {
 
-/// A plan that lacks more useful track than this is sought anew.
+/// A plan that lacks so much more useful track than when it was sought is sought anew [m].
 constexpr double kStaleTrack = 3.0;
+/// One that lacked more than that from the first may find another way by now: not at each decision,
+/// for seeking anew takes ten times as long, but after so much way [m].
+constexpr double kSeekAgain = 50.0;
 /// Share by which the swath may change before a plan is sought anew.
 constexpr double kOtherSwath = 0.03;
 /// A plan whose looks are worth so much less of what they might be than the last one's is sought
@@ -208,7 +211,8 @@ void MissionPlan::Renew(TourJudge& judge) {
     const TourCost cost_fitted = judge.Cost(fitted);
     if (cost_fitted.total < cost.total) plan_ = std::move(fitted), cost = cost_fitted;
   }
-  if (plan_.empty() || cost.missing > kStaleTrack || SeesOtherwise()) {
+  lacking_when_sought_ = std::min(lacking_when_sought_, cost.missing);
+  if (plan_.empty() || IsStale(cost.missing) || SeesOtherwise()) {
     Replan(judge);
   } else if (params_.first_edits > 0) {
     search_.Improve(judge, plan_, params_.edits);
@@ -241,6 +245,11 @@ std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
   return seeds;
 }
 
+bool MissionPlan::IsStale(double lacking) const {
+  if (lacking <= kStaleTrack) return false;
+  return lacking > lacking_when_sought_ + kStaleTrack || now_.travelled - sought_at_ > kSeekAgain;
+}
+
 /// Whether the water shows so much more or less than it was planned for: lanes would lie otherwise.
 bool MissionPlan::SeesOtherwise() const {
   return std::abs(now_.ground->swath() / planned_swath_ - 1.0) > kOtherSwath;
@@ -268,7 +277,8 @@ void MissionPlan::Replan(TourJudge& judge) {
   if (found.empty()) return;
   std::ranges::stable_sort(found, {}, &CostedTour::cost);
   plan_ = found.front().tour;
-  search_.Improve(judge, plan_, edits);
+  lacking_when_sought_ = search_.Improve(judge, plan_, edits).missing;
+  sought_at_ = now_.travelled;
   for (auto rival = found.begin() + 1; params_.first_edits > 0 && rival != found.end(); ++rival) {
     rivals_.push_back(std::move(rival->tour));
   }

@@ -57,6 +57,8 @@ class MissionPlan {
   void Renew(TourJudge& judge);
   /// What a new plan is sought from.
   [[nodiscard]] std::vector<SurveyTour> Seeds(TourJudge& judge) const;
+  /// True if a plan that lacks so much useful track [m] should be sought anew.
+  [[nodiscard]] bool IsStale(double lacking) const;
   [[nodiscard]] bool SeesOtherwise() const;
   /// What looks at all targets now would be worth beyond those that it has [m].
   [[nodiscard]] double LeftOutBy(const SurveyTour& tour) const;
@@ -85,6 +87,8 @@ class MissionPlan {
   std::size_t cells_of_area_ = 0;
   std::size_t obstacle_mark_ = 0;     ///< of the region that the plan keeps to
   double planned_swath_ = 0.0;        ///< of the ground when the plan was last sought anew [m]
+  double lacking_when_sought_ = 0.0;  ///< useful track that the plan lacked then, or less since [m]
+  double sought_at_ = 0.0;            ///< [m travelled] when it was last sought anew
   double left_out_m_ = 0.0;           ///< LeftOutBy of the plan at the last decision
   std::vector<FlownTour> completed_;  ///< the options of this decision
   FlownTour chosen_;                  ///< what is flown, with its path
