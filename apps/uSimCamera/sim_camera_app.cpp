@@ -8,6 +8,7 @@
 
 #include "apps/uSimCamera/sim_camera_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/mission/fault_names.hpp"
 #include "limpet/objects/lens_box.hpp"
 #include "limpet/simulation/object_shape.hpp"
 
@@ -76,7 +77,7 @@ void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenari
                            .constants = params_.boxes});
     return;
   }
-  if (faults_.Has("false_boxes")) {
+  if (faults_.Has(fault_names::kFalseBoxes)) {
     Warn(warnings::kNoFalseBoxes,
          "the scenario's fault `false_boxes` is not made: this camera renders pictures; "
          "camera = boxes makes it");
@@ -134,8 +135,8 @@ void SimCameraApp::OnTruth(const Stamped<SimTruth>& truth) {
   const double slot = std::floor(truth.time.value() * params_.timing.rate.value() + 1e-6);
   if (!start_) start_ = truth.time;
   faults_.Update(truth.time);
-  const bool makes_frames =
-      truth.value.down >= params_.least_depth.value() && faults_.Active("camera_silent") == nullptr;
+  const bool makes_frames = truth.value.down >= params_.least_depth.value() &&
+                            faults_.Active(fault_names::kCameraSilent) == nullptr;
   if (slot != last_slot_ && makes_frames) {
     last_slot_ = slot;
     const std::vector<Sphere> shown = Shown(truth);
@@ -187,7 +188,7 @@ Detections SimCameraApp::MakeBoxes(const SimTruth& truth, std::span<const Sphere
 }
 
 void SimCameraApp::AddFalseBoxes(std::vector<Box>& boxes) {
-  const ScenarioFault* storm = faults_.Active("false_boxes");
+  const ScenarioFault* storm = faults_.Active(fault_names::kFalseBoxes);
   if (storm == nullptr) return;
   for (int i = 0; i < static_cast<int>(storm->size); ++i) {
     boxes.push_back(box_model_.DrawFalse(storm_random_));

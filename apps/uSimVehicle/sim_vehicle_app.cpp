@@ -10,6 +10,7 @@
 
 #include "apps/uSimVehicle/sim_vehicle_warnings.hpp"
 #include "limpet/app/registry.hpp"
+#include "limpet/mission/fault_names.hpp"
 #include "limpet/mission/seabed.hpp"
 #include "limpet/topics/safety.hpp"
 
@@ -208,8 +209,9 @@ void SimVehicleApp::TellThrust(Seconds now) {
   thrust_told_ = now;
   thrust_.refused = watchdog_.refused();
   Publish(topics::kSimThrust, thrust_);
-  if (faults_.Has("leak")) Publish(topics::kLeak, faults_.Active("leak") != nullptr);
-  if (faults_.Has("link_lost") && faults_.Active("link_lost") == nullptr) {
+  if (faults_.Has(fault_names::kLeak))
+    Publish(topics::kLeak, faults_.Active(fault_names::kLeak) != nullptr);
+  if (faults_.Has(fault_names::kLinkLost) && faults_.Active(fault_names::kLinkLost) == nullptr) {
     Publish(topics::kShoreBeat, now.value());
   }
   TellBattery();
@@ -219,15 +221,15 @@ void SimVehicleApp::TellBattery() {
   if (battery_) {
     Publish(topics::kBattery, battery_->Gauge(faults_));
     Publish(topics::kSimBattery, battery_->Truth());
-  } else if (faults_.Has("battery")) {
-    const ScenarioFault* low = faults_.Active("battery");
+  } else if (faults_.Has(fault_names::kBattery)) {
+    const ScenarioFault* low = faults_.Active(fault_names::kBattery);
     Publish(topics::kBattery,
             BatteryState{.charge = low != nullptr ? low->size : 1.0, .volts = {}, .amperes = {}});
   }
 }
 
 Eigen::Vector2d SimVehicleApp::CurrentAt(Seconds end, Seconds duration) {
-  const ScenarioFault* more = faults_.Active("current");
+  const ScenarioFault* more = faults_.Active(fault_names::kCurrent);
   const double most = kCurrentGrowth * duration.value();
   const double wanted = more != nullptr ? more->size : 0.0;
   current_more_ += std::clamp(wanted - current_more_, -most, most);
@@ -245,7 +247,7 @@ void SimVehicleApp::Move(Seconds duration, Seconds end) {
   simulation_.SetCurrent({current.x(), current.y(), 0.0});
   const double most = scenario_.errors.thrusters.saturates_at;
   ThrusterVector given = thrust.cwiseMax(-most).cwiseMin(most);
-  if (const ScenarioFault* weak = faults_.Active("thrusters_weak")) given *= weak->size;
+  if (const ScenarioFault* weak = faults_.Active(fault_names::kThrustersWeak)) given *= weak->size;
   if (battery_) {
     battery_->Draw(given, duration, faults_);
     if (battery_->is_off()) {

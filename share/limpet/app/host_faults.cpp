@@ -3,14 +3,16 @@
 
 #include <new>
 
+#include "limpet/mission/fault_names.hpp"
+
 namespace limpet {
 
 FailingFileSystem::Fault DiskFaultOf(const FaultSchedule& schedule) {
   using Fault = FailingFileSystem::Fault;
-  return schedule.Active("disk_failing") != nullptr     ? Fault::kFailing
-         : schedule.Active("disk_read_only") != nullptr ? Fault::kReadOnly
-         : schedule.Active("disk_full") != nullptr      ? Fault::kFull
-                                                        : Fault::kNone;
+  return schedule.Active(fault_names::kDiskFailing) != nullptr    ? Fault::kFailing
+         : schedule.Active(fault_names::kDiskReadOnly) != nullptr ? Fault::kReadOnly
+         : schedule.Active(fault_names::kDiskFull) != nullptr     ? Fault::kFull
+                                                                  : Fault::kNone;
 }
 
 HostFaults::HostFaults()

@@ -3,20 +3,16 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
 
+#include "limpet/core/byte_units.hpp"
+#include "limpet/mission/fault_names.hpp"
 #include "limpet/mission/host_faults_of.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
 namespace {
 
-constexpr std::string_view kAppDown = "app_down", kAppHangs = "app_hangs",
-                           kClockStepped = "clock_stepped", kDiskLow = "disk_low",
-                           kMemory = "memory", kProcessor = "processor",
-                           kSlowPlanner = "slow_planner";
 constexpr const char* kHelm = "pHelm";
-constexpr double kBytesOfMib = 1024.0 * 1024.0;
 
 std::vector<ScenarioFault> FaultsIn(const LaunchPlan& plan) {
   std::vector<std::string> apps;
@@ -44,7 +40,7 @@ void LaunchFaults::Listen(CommunityWatch& watch) const {
   for (const std::string& variable : schedule_.Variables()) {
     watch.Listen(variable);
   }
-  if (schedule_.Has(kSlowPlanner)) watch.Listen(topics::kHelmBids.name);
+  if (schedule_.Has(fault_names::kSlowPlanner)) watch.Listen(topics::kHelmBids.name);
 }
 
 void LaunchFaults::Hear(const CommunityWatch& watch) {
@@ -61,7 +57,7 @@ void LaunchFaults::Apply(CommunityWatch& watch, Supervisor& supervisor, Seconds 
   if (are_none()) return;
   Hear(watch);
   schedule_.Update(now);
-  if (schedule_.Has(kSlowPlanner)) SlowPlanner(watch, supervisor, now);
+  if (schedule_.Has(fault_names::kSlowPlanner)) SlowPlanner(watch, supervisor, now);
   for (std::size_t i = 0; i < is_active_.size(); ++i) {
     if (schedule_.IsActive(i) == is_active_[i]) continue;
     is_active_[i] = schedule_.IsActive(i);
@@ -72,14 +68,15 @@ void LaunchFaults::Apply(CommunityWatch& watch, Supervisor& supervisor, Seconds 
 void LaunchFaults::Switch(std::size_t index, Supervisor& supervisor) {
   const ScenarioFault& fault = schedule_.faults()[index];
   const bool is_active = is_active_[index];
-  if (fault.what == kAppDown) {
+  if (fault.what == fault_names::kAppDown) {
     supervisor.KeepDown(fault.app, is_active);
-  } else if (fault.what == kAppHangs) {
+  } else if (fault.what == fault_names::kAppHangs) {
     supervisor.Halt(fault.app, is_active);
-  } else if (fault.what == kDiskLow) {
-    host_->LimitDisk(is_active ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesOfMib))
-                               : std::nullopt);
-  } else if (fault.what == kClockStepped) {
+  } else if (fault.what == fault_names::kDiskLow) {
+    host_->LimitDisk(is_active
+                         ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesPerMib))
+                         : std::nullopt);
+  } else if (fault.what == fault_names::kClockStepped) {
     host_->SetWallAhead(Seconds(is_active ? fault.size : 0.0));
   } else {
     host_->FailDisk(DiskFaultOf(schedule_));
@@ -91,7 +88,7 @@ void LaunchFaults::SlowPlanner(CommunityWatch& watch, Supervisor& supervisor, Se
   int& times = heard_times_[topics::kHelmBids.name];
   const bool has_decided = decided && decided->times != times;
   if (decided) times = decided->times;
-  const ScenarioFault* slow = schedule_.Active(kSlowPlanner);
+  const ScenarioFault* slow = schedule_.Active(fault_names::kSlowPlanner);
   if (slow != nullptr && has_decided && !plans_until_) {
     plan_s_ = slow->size;
     plans_until_ = now + Seconds(plan_s_);
@@ -104,12 +101,12 @@ void LaunchFaults::SlowPlanner(CommunityWatch& watch, Supervisor& supervisor, Se
 }
 
 std::optional<double> LaunchFaults::memory_mib() const {
-  const ScenarioFault* fault = schedule_.Active(kMemory);
+  const ScenarioFault* fault = schedule_.Active(fault_names::kMemory);
   return fault != nullptr ? std::optional(fault->size) : std::nullopt;
 }
 
 std::optional<ProcessorLoad> LaunchFaults::processor() const {
-  const ScenarioFault* fault = schedule_.Active(kProcessor);
+  const ScenarioFault* fault = schedule_.Active(fault_names::kProcessor);
   if (fault == nullptr) return std::nullopt;
   return ProcessorLoad{.percent = fault->size, .app = "fault"};
 }

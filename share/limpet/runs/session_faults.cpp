@@ -10,6 +10,7 @@
 
 #include "limpet/app/host_faults.hpp"
 #include "limpet/core/byte_units.hpp"
+#include "limpet/mission/fault_names.hpp"
 #include "limpet/mission/host_faults_of.hpp"
 #include "limpet/runs/session_runner.hpp"
 #include "limpet/topics/mission.hpp"
@@ -19,9 +20,6 @@
 namespace limpet {
 namespace {
 
-constexpr std::string_view kAppDown = "app_down", kClockStepped = "clock_stepped",
-                           kDiskLow = "disk_low", kMemory = "memory", kProcessor = "processor",
-                           kSlowPlanner = "slow_planner";
 constexpr const char* kHelm = "pHelm";
 
 }  // namespace
@@ -36,7 +34,7 @@ void SessionFaults::Hear(const Message& message) {
 }
 
 void SessionFaults::SlowPlanner(EmbeddedCommunity& community) {
-  const ScenarioFault* slow = schedule_.Active(kSlowPlanner);
+  const ScenarioFault* slow = schedule_.Active(fault_names::kSlowPlanner);
   const bool has_decided = std::exchange(decided_, std::nullopt).has_value();
   if (slow != nullptr && has_decided && !plans_until_) {
     plan_s_ = slow->size;
@@ -51,8 +49,9 @@ void SessionFaults::SlowPlanner(EmbeddedCommunity& community) {
 
 void SessionFaults::Apply(EmbeddedCommunity& community) {
   schedule_.Update(community.now());
-  if (schedule_.Has(kSlowPlanner)) SlowPlanner(community);
-  if (schedule_.Has(kClockStepped) && !std::exchange(is_clock_told_, true)) TellClock(community);
+  if (schedule_.Has(fault_names::kSlowPlanner)) SlowPlanner(community);
+  if (schedule_.Has(fault_names::kClockStepped) && !std::exchange(is_clock_told_, true))
+    TellClock(community);
   for (std::size_t i = 0; i < is_active_.size(); ++i) {
     if (schedule_.IsActive(i) == is_active_[i]) {
       continue;
@@ -66,20 +65,20 @@ void SessionFaults::Switch(std::size_t index, EmbeddedCommunity& community) {
   const ScenarioFault& fault = schedule_.faults()[index];
   if (!fault.app.empty()) {
     community.Stall(fault.app, is_active_[index]);
-    if (fault.what == kAppDown) TellApps(community);
-  } else if (fault.what == kMemory) {
+    if (fault.what == fault_names::kAppDown) TellApps(community);
+  } else if (fault.what == fault_names::kMemory) {
     community.Poke(topics::kLaunchMemory.name, is_active_[index] ? fault.size : 0.0);
-  } else if (fault.what == kProcessor) {
+  } else if (fault.what == fault_names::kProcessor) {
     const ProcessorLoad load{.percent = is_active_[index] ? fault.size : 0.0, .app = "fault"};
     community.Poke(topics::kLaunchProcessor.name, TopicCodec<ProcessorLoad>::Encode(load));
-  } else if (fault.what == kDiskLow) {
+  } else if (fault.what == fault_names::kDiskLow) {
     community.LimitDisk(is_active_[index]
                             ? std::optional(static_cast<std::uint64_t>(fault.size * kBytesPerMib))
                             : std::nullopt);
-  } else if (fault.what == kClockStepped) {
+  } else if (fault.what == fault_names::kClockStepped) {
     ++clock_steps_;
     TellClock(community);
-  } else if (fault.what != kSlowPlanner) {
+  } else if (fault.what != fault_names::kSlowPlanner) {
     community.FailDisk(DiskFaultOf(schedule_));
   }
 }
@@ -88,7 +87,7 @@ void SessionFaults::TellApps(EmbeddedCommunity& community) const {
   std::string status;
   for (std::size_t i = 0; i < is_active_.size(); ++i) {
     const ScenarioFault& fault = schedule_.faults()[i];
-    if (fault.what != kAppDown) continue;
+    if (fault.what != fault_names::kAppDown) continue;
     status += fmt::format("{}app={},state={},restarts=0", status.empty() ? "" : " # ", fault.app,
                           is_active_[i] ? "given_up" : "running");
   }
@@ -96,7 +95,7 @@ void SessionFaults::TellApps(EmbeddedCommunity& community) const {
 }
 
 void SessionFaults::TellClock(EmbeddedCommunity& community) const {
-  const ScenarioFault* step = schedule_.Active(kClockStepped);
+  const ScenarioFault* step = schedule_.Active(fault_names::kClockStepped);
   const double ahead = step != nullptr ? step->size : 0.0;
   const double vehicle = community.now().value();
   community.Poke(

@@ -2,6 +2,9 @@
 #include "limpet/sensors/faulty_sensor.hpp"
 
 #include <numbers>
+#include <string_view>
+
+#include "limpet/mission/fault_names.hpp"
 
 namespace limpet {
 namespace {
@@ -31,7 +34,8 @@ void Garble(DvlSample& sample, Random& random) {
 }
 
 template <class Sample>
-void GarbleSome(Sample& sample, const char* what, const FaultSchedule& faults, Random& random) {
+void GarbleSome(Sample& sample, std::string_view what, const FaultSchedule& faults,
+                Random& random) {
   const ScenarioFault* outliers = faults.Active(what);
   if (outliers != nullptr && random.Uniform(0.0, 1.0) < outliers->size) Garble(sample, random);
 }
@@ -39,22 +43,23 @@ void GarbleSome(Sample& sample, const char* what, const FaultSchedule& faults, R
 }  // namespace
 
 std::optional<ImuSample> FaultyImu::Pass(ImuSample sample, const FaultSchedule& faults) {
-  GarbleSome(sample, "imu_outliers", faults, random_);
+  GarbleSome(sample, fault_names::kImuOutliers, faults, random_);
   return any_.Pass(sample, faults);
 }
 
 std::optional<DvlSample> FaultyDvl::Pass(DvlSample sample, const FaultSchedule& faults) {
-  if (faults.Active("dvl_no_lock") != nullptr) return DvlSample{};
-  if (faults.Active("dvl_flipped") != nullptr) {
+  if (faults.Active(fault_names::kDvlNoLock) != nullptr) return DvlSample{};
+  if (faults.Active(fault_names::kDvlFlipped) != nullptr) {
     Flip(sample.u);
     Flip(sample.v);
   }
-  if (const ScenarioFault* biased = faults.Active("dvl_biased")) Shift(sample.u, biased->size);
-  GarbleSome(sample, "dvl_outliers", faults, random_);
-  if (const ScenarioFault* biased = faults.Active("altitude_biased")) {
+  if (const ScenarioFault* biased = faults.Active(fault_names::kDvlBiased))
+    Shift(sample.u, biased->size);
+  GarbleSome(sample, fault_names::kDvlOutliers, faults, random_);
+  if (const ScenarioFault* biased = faults.Active(fault_names::kAltitudeBiased)) {
     Shift(sample.altitude, biased->size);
   }
-  if (faults.Active("altitude_stuck") == nullptr) {
+  if (faults.Active(fault_names::kAltitudeStuck) == nullptr) {
     altitude_ = sample.altitude;
   } else {
     sample.altitude = altitude_ = altitude_ ? altitude_ : sample.altitude;
@@ -63,12 +68,12 @@ std::optional<DvlSample> FaultyDvl::Pass(DvlSample sample, const FaultSchedule& 
 }
 
 double WithDepthFault(double depth_m, const FaultSchedule& faults) {
-  const ScenarioFault* biased = faults.Active("depth_biased");
+  const ScenarioFault* biased = faults.Active(fault_names::kDepthBiased);
   return biased != nullptr ? depth_m + biased->size : depth_m;
 }
 
 GpsFix WithGpsFault(GpsFix fix, const FaultSchedule& faults) {
-  if (const ScenarioFault* jump = faults.Active("gps_jump")) fix.north += jump->size;
+  if (const ScenarioFault* jump = faults.Active(fault_names::kGpsJump)) fix.north += jump->size;
   return fix;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "limpet/mission/fault_names.hpp"
+
 namespace limpet {
 namespace {
 
@@ -36,17 +38,17 @@ void SimulatedBattery::Draw(const ThrusterVector& thrust, Seconds duration,
   for (const double one : thrust) {
     power_w += sheet_.ThrusterPower(one);
   }
-  if (const ScenarioFault* load = faults.Active("battery_load")) power_w += load->size;
-  const ScenarioFault* lost = faults.Active("cells_lost");
+  if (const ScenarioFault* load = faults.Active(fault_names::kBatteryLoad)) power_w += load->size;
+  const ScenarioFault* lost = faults.Active(fault_names::kCellsLost);
   battery_.LoseCells(lost != nullptr ? lost->size : 0.0);
   battery_.Draw(power_w, duration);
 }
 
 BatteryState SimulatedBattery::Gauge(const FaultSchedule& faults) {
   const double read = std::clamp(battery_.charge() + gauge_off_, 0.0, 1.0);
-  stuck_at_ =
-      faults.Active("gauge_stuck") != nullptr ? stuck_at_.value_or(read) : std::optional<double>();
-  const ScenarioFault* said = faults.Active("battery");
+  stuck_at_ = faults.Active(fault_names::kGaugeStuck) != nullptr ? stuck_at_.value_or(read)
+                                                                 : std::optional<double>();
+  const ScenarioFault* said = faults.Active(fault_names::kBattery);
   const double share = said != nullptr ? said->size : stuck_at_.value_or(read);
   const double volts = is_off() ? 0.0 : battery_.volts() + noise_.Normal(kVoltsNoise);
   return {.charge = share,
