@@ -13,7 +13,7 @@
 #include "limpet/console/community.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/log_tools/log_input.hpp"
-#include "limpet/logbook/log_name.hpp"
+#include "limpet/logbook/logs_below.hpp"
 
 namespace limpet {
 namespace {
@@ -26,12 +26,6 @@ std::string SessionOf(const fs::path& log, const fs::path& run) {
   return way.has_parent_path() ? way.begin()->string() : "";
 }
 
-double StartOf(const fs::path& log) {
-  auto reader = AlogReader::Open(log);
-  AlogEntry entry;
-  return reader && reader->Next(entry) ? reader->start().value_or(Seconds(0.0)).value() : 0.0;
-}
-
 struct RunLog {
   fs::path file;
   std::string session{};
@@ -39,15 +33,11 @@ struct RunLog {
 
 /// The log of the session asked for, else of the one that began last. Throws UsageError.
 RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
-  std::vector<RunLog> logs;
+  std::vector<fs::path> logs;
   std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(run)) {
-    if (entry.is_regular_file() && IsAlogName(entry.path())) {
-      names.push_back(SessionOf(entry.path(), run));
-      if (!session || names.back() == *session) {
-        logs.push_back({.file = entry.path(), .session = names.back()});
-      }
-    }
+  for (const fs::path& log : LogsBelow(run)) {
+    names.push_back(SessionOf(log, run));
+    if (!session || names.back() == *session) logs.push_back(log);
   }
   if (names.empty()) {
     throw UsageError(fmt::format("{}: holds no .alog file", run.string()));
@@ -60,8 +50,8 @@ RunLog LogIn(const fs::path& run, const std::optional<std::string>& session) {
                                  nearest.empty() ? "" : fmt::format("; nearest: `{}`", nearest),
                                  fmt::join(names, ", ")));
   }
-  std::ranges::sort(logs, {}, &RunLog::file);
-  return *std::ranges::max_element(logs, {}, [](const RunLog& log) { return StartOf(log.file); });
+  const fs::path latest = LatestLog(logs);
+  return {.file = latest, .session = SessionOf(latest, run)};
 }
 
 WhySource FromLog(const std::string& word, const std::optional<std::string>& session) {

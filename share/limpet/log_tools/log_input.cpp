@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/log_tools/log_input.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -9,7 +8,7 @@
 
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/interrupt.hpp"
-#include "limpet/logbook/log_name.hpp"
+#include "limpet/logbook/logs_below.hpp"
 
 namespace limpet {
 namespace {
@@ -21,13 +20,7 @@ constexpr std::uint64_t kLinesPerLook = 1U << 14U;
 
 /// The one log in a folder, or in the folders below it, as a run has them.
 fs::path LogIn(const fs::path& folder) {
-  std::vector<fs::path> logs;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && IsAlogName(entry.path())) {
-      logs.push_back(entry.path());
-    }
-  }
-  std::ranges::sort(logs);
+  const std::vector<fs::path> logs = LogsBelow(folder);
   if (logs.size() == 1) {
     return logs[0];
   }

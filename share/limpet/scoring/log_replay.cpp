@@ -1,39 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/scoring/log_replay.hpp"
 
-#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "limpet/logbook/alog_reader.hpp"
+#include "limpet/logbook/logs_below.hpp"
 
 namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// MOOS time at which a log begins.
-double StartOf(const fs::path& log) {
-  auto reader = AlogReader::Open(log);
-  if (!reader) return 0.0;
-  AlogLine line;
-  AlogEntry entry;
-  while (reader->NextLine(line, entry) && line.kind != AlogLine::Kind::kEntry) {
-  }
-  return reader->start().value_or(Seconds(0.0)).value();
-}
-
 /// `<session>.alog`, else the one that began last: a folder may hold several runs.
 std::optional<fs::path> LogIn(const fs::path& folder) {
   const fs::path expected = folder / (folder.filename().string() + ".alog");
   if (fs::exists(expected)) return expected;
-  std::vector<fs::path> logs;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() == ".alog") logs.push_back(entry.path());
-    }
-  }
-  if (logs.empty()) return std::nullopt;
-  return *std::ranges::max_element(logs, {}, StartOf);
+  if (!fs::is_directory(folder)) return std::nullopt;
+  const std::vector<fs::path> logs = LogsBelow(folder);
+  return logs.empty() ? std::nullopt : std::optional(LatestLog(logs));
 }
 
 /// Text, number or, for what lies in the .blog file, bytes. Nothing if those cannot be read.
