@@ -2,7 +2,6 @@
 #include "limpet/mission/fact_files.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -11,8 +10,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "limpet/core/folders_above.hpp"
-#include "limpet/core/number_text.hpp"
+#include "limpet/core/same_value.hpp"
 #include "limpet/mission/detector_settings.hpp"
+#include "limpet/mission/mission_places.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 
@@ -74,14 +74,6 @@ std::optional<ConfigEntry> ValueFor(const FactTaker& taker,
   return ConfigEntry{taker.key, text, entry->where};
 }
 
-bool IsSameValue(const std::string& a, const std::string& b) {
-  constexpr double kSlack = 1e-9;
-  const std::optional<double> first = ParseNumber(a);
-  const std::optional<double> other = ParseNumber(b);
-  if (!first || !other) return a == b;
-  return std::abs(*first - *other) <= kSlack * std::abs(*first);
-}
-
 void DropFormer(const FactFile& kind, const FactTaker& taker,
                 const std::optional<ConfigEntry>& value, ConfigBlock& block) {
   std::erase_if(block.entries, [&](const ConfigEntry& entry) {
@@ -100,15 +92,6 @@ void DropFormer(const FactFile& kind, const FactTaker& taker,
   });
 }
 
-/// A block may stand under the name that its program is launched as.
-std::string OwnerOf(const ConfigBlock& block, const MissionFile& mission) {
-  const auto launch = std::ranges::find_if(mission.launches, [&block](const LaunchEntry& l) {
-    return EqualsIgnoringCase(l.moos_name, block.name);
-  });
-  return launch == mission.launches.end() ? block.name
-                                          : fs::path(launch->binary).filename().string();
-}
-
 /// A kind of file that a mission names, where it lies, and what it says.
 struct NamedFile {
   const FactFile* kind = nullptr;
@@ -116,13 +99,6 @@ struct NamedFile {
   std::vector<ConfigEntry> entries;
   std::vector<ConfigProblem> problems;  ///< for blocks that take from it
 };
-
-SourceLine LineOfGlobal(const MissionFile& mission, const char* name) {
-  for (const ConfigEntry& global : mission.globals) {
-    if (EqualsIgnoringCase(global.key, name)) return global.where;
-  }
-  return {.file = mission.file, .line = 0};
-}
 
 /// Why a file that no app reads for its own sake cannot be taken from as it stands.
 std::vector<ConfigProblem> ProblemsOf(const NamedFile& named, const MissionFile& mission) {
@@ -273,7 +249,7 @@ void TakeFacts(MissionFile& mission) {
     for (const fs::path& one : FactFileChain(*kind, named.file))
       mission.fact_files.push_back(one.string());
     for (ConfigBlock& block : mission.blocks)
-      TakeFactsFrom(named, OwnerOf(block, mission), block);
+      TakeFactsFrom(named, ProgramOfBlock(block, mission), block);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "limpet/core/config_entries.hpp"
 #include "limpet/mission/fact_files.hpp"
 #include "limpet/mission/mission_lines.hpp"
+#include "limpet/mission/mission_places.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/stand_ins.hpp"
 
@@ -241,17 +242,9 @@ class MissionParser {
     }
   }
 
-  /// A block may stand under the name that its program is launched as.
   void SpreadGlobals() {
-    for (ConfigBlock& block : mission_.blocks) {
-      const auto launch = std::ranges::find_if(mission_.launches, [&block](const LaunchEntry& l) {
-        return EqualsIgnoringCase(l.moos_name, block.name);
-      });
-      const std::string owner = launch == mission_.launches.end()
-                                    ? block.name
-                                    : std::filesystem::path(launch->binary).filename().string();
-      TakeGlobals(mission_.globals, OwnNameOf(owner), block);
-    }
+    for (ConfigBlock& block : mission_.blocks)
+      TakeGlobals(mission_.globals, OwnNameOf(ProgramOfBlock(block, mission_)), block);
   }
 
   /// `binary [@ opt=val, opt=val] [~ name]`.

@@ -2,10 +2,10 @@
 #include "limpet/mission/stand_ins.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "limpet/core/program_search.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/mission_places.hpp"
 
 namespace limpet {
 namespace {
@@ -17,16 +17,6 @@ bool Says(const ConfigBlock& block, const StandInLine& line) {
              return EqualsIgnoringCase(entry.key, name);
            });
   });
-}
-
-/// The program that reads a block: of that name, or launched under it.
-std::string ReaderOf(const ConfigBlock& block, const MissionFile& mission) {
-  const auto launch = std::ranges::find_if(mission.launches, [&block](const LaunchEntry& entry) {
-    return EqualsIgnoringCase(entry.moos_name, block.name);
-  });
-  return launch == mission.launches.end()
-             ? block.name
-             : std::filesystem::path(launch->binary).filename().string();
 }
 
 }  // namespace
@@ -67,7 +57,7 @@ bool IsStoodInFor(std::string_view program) {
 
 void TakeStandInLines(MissionFile& mission) {
   for (ConfigBlock& block : mission.blocks) {
-    const ProgramStandIn* stand_in = StandInFor(ReaderOf(block, mission));
+    const ProgramStandIn* stand_in = StandInFor(ProgramOfBlock(block, mission));
     if (stand_in == nullptr) continue;
     for (const StandInLine& line : stand_in->lines) {
       if (!Says(block, line)) block.entries.push_back({line.key, line.value, block.where});

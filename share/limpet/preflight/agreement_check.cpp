@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One fact that is said in several places must be said alike.
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "limpet/core/number_text.hpp"
+#include "limpet/core/same_value.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/vehicle_settings.hpp"
 #include "limpet/preflight/checks.hpp"
@@ -18,14 +17,6 @@ namespace limpet::internal {
 namespace {
 
 constexpr const char* kMission = "the mission";
-
-bool SaysTheSame(const Setting& a, const Setting& b) {
-  constexpr double kSlack = 1e-9;
-  const std::optional<double> first = ParseNumber(a.text);
-  const std::optional<double> other = ParseNumber(b.text);
-  if (!first || !other) return a.text == b.text;
-  return std::abs(*first - *other) <= kSlack * std::abs(*first);
-}
 
 /// A global that the command line overrides for all who take it says nothing any more.
 void DropOverridden(std::vector<Setting>& settings) {
@@ -42,7 +33,7 @@ void Compare(const std::string& fact, std::vector<Setting> settings, MissionProb
   DropOverridden(settings);
   for (const Setting& other : settings) {
     const Setting& first = settings.front();
-    if (!SaysTheSame(first, other)) {
+    if (!IsSameValue(first.text, other.text)) {
       const std::string unit = other.unit.empty() ? "" : " " + other.unit;
       found.geometry.push_back(other.Refuse(fmt::format(
           "{} is {}{} for {} and {}{} for {}: {}; it is one fact and must be said alike", fact,

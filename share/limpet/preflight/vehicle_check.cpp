@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/mission/mission_places.hpp"
 #include "limpet/preflight/checks.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
@@ -13,13 +14,6 @@ namespace {
 /// Those whose work depends on which vehicle it is.
 constexpr std::array<std::string_view, 7> kNeedVehicle{
     "pPilot", "pNav", "pHelm", "pMap", "uSimVehicle", "uSimSensors", "uSimCamera"};
-
-SourceLine LineOfGlobal(const MissionFile& mission) {
-  for (const ConfigEntry& global : mission.globals) {
-    if (EqualsIgnoringCase(global.key, kVehicleFileGlobal)) return global.where;
-  }
-  return {.file = mission.file, .line = 0};
-}
 
 /// Slower ones leave pNav without an attitude, or without bottom track, from one sample to the
 /// next.
@@ -81,7 +75,8 @@ bool CheckVehicle(const MissionReading& reading, MissionProblems& found) {
     return true;
   } catch (const ConfigError& error) {
     for (ConfigProblem problem : error.problems()) {
-      if (problem.where.file.empty()) problem.where = LineOfGlobal(reading.mission());
+      if (problem.where.file.empty())
+        problem.where = LineOfGlobal(reading.mission(), kVehicleFileGlobal);
       if (named.empty())
         problem.text = fmt::format("{} needs this global, which {}", needed_by, problem.text);
       found.syntax.push_back(std::move(problem));
