@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/app/registry.hpp"
+#include "limpet/core/command_line_error.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/mission/outside.hpp"
 
@@ -58,9 +59,8 @@ std::vector<std::string> SwitchNames(const std::string& process) {
 }
 
 ConfigError Refusal(const std::string& name, const std::string& value, const std::string& allowed) {
-  return ConfigError({{.file = "command line", .line = 0},
-                      "--" + name,
-                      fmt::format("`{}` is not allowed; allowed: {}", value, allowed)});
+  return CommandLineError("--" + name,
+                          fmt::format("`{}` is not allowed; allowed: {}", value, allowed));
 }
 
 double NumberOf(const std::string& name, const std::string& value, double least, double most) {
@@ -94,9 +94,8 @@ Words Split(const std::string& process, std::span<const char* const> args) {
     const std::string name = body.substr(0, equals);
     const std::vector<std::string> known = SwitchNames(process);
     if (std::ranges::find(known, name) == known.end()) {
-      throw ConfigError({{.file = "command line", .line = 0},
-                         arg,
-                         fmt::format("unknown; nearest known: --{}", NearestWord(name, known))});
+      throw CommandLineError(arg,
+                             fmt::format("unknown; nearest known: --{}", NearestWord(name, known)));
     }
     words.switches.emplace_back(name, equals == std::string::npos ? "" : body.substr(equals + 1));
   }
@@ -121,8 +120,7 @@ void ApplyGlobals(AppCommand& command) {
 
 void ApplySwitch(AppCommand& command, const std::string& name, const std::string& value) {
   const auto override_key = [&](const char* key) {
-    command.overrides.push_back(
-        {.key = key, .value = value, .where = {.file = "command line", .line = 0}});
+    command.overrides.push_back({.key = key, .value = value, .where = CommandLine()});
   };
   if (name == "moos_host") {
     command.host = value;
@@ -160,7 +158,7 @@ void ApplySwitch(AppCommand& command, const std::string& name, const std::string
 /// The name is that of files in the run folder; a logger's mission says where it writes.
 void RequireInside(const AppCommand& command) {
   if (const auto complaint = ProcessNameProblem(command.name)) {
-    throw ConfigError({{.file = "command line", .line = 0}, "name", *complaint});
+    throw CommandLineError("name", *complaint);
   }
   if (command.process != "pLog" || command.allows_outside) {
     return;
@@ -183,9 +181,7 @@ void RequireInside(const AppCommand& command) {
 AppCommand ReadAppCommand(const std::string& process, std::span<const char* const> args) {
   const Words words = Split(process, args);
   if (words.positionals.size() > 2) {
-    throw ConfigError({{.file = "command line", .line = 0},
-                       words.positionals[2],
-                       "at most a mission file and a name are expected"});
+    throw CommandLineError(words.positionals[2], "at most a mission file and a name are expected");
   }
   AppCommand command{.process = process,
                      .name = process,
@@ -217,7 +213,7 @@ AppCommand ReadAppCommand(const std::string& process, std::span<const char* cons
   const std::map<std::string, std::string> own = OwnSwitches(process);
   for (const auto& [name, value] : words.switches) {
     if (const auto key = own.find(name); key != own.end()) {
-      command.additions.push_back({key->second, value, {.file = "command line", .line = 0}});
+      command.additions.push_back({key->second, value, CommandLine()});
     } else {
       ApplySwitch(command, name, value);
     }

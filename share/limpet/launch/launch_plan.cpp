@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "limpet/console/command.hpp"
+#include "limpet/core/command_line_error.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/durable/durable_file.hpp"
 #include "limpet/launch/launch_rules.hpp"
@@ -21,10 +22,6 @@ namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
-
-ConfigError Refusal(const std::string& key, const std::string& complaint) {
-  return ConfigError({{.file = "command line", .line = 0}, key, complaint});
-}
 
 std::string TrimmedName(std::string_view line) {
   const auto equals = line.find('=');
@@ -252,16 +249,17 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
     } else if (name == "--deploy") {
       command.deploys = true;
     } else if (equals == std::string::npos) {
-      throw Refusal(arg,
-                    "unknown; --Name=value replaces a line of the mission file, --help lists "
-                    "the options");
+      throw CommandLineError(
+          arg,
+          "unknown; --Name=value replaces a line of the mission file, --help lists "
+          "the options");
     } else if (name == "--run_folder") {
       command.run_folder = value;
     } else if (name == "--prior_folder") {
       command.prior_folder = value;
     } else if (name == "--session") {
       if (const auto problem = SessionNameProblem(value)) {
-        throw Refusal("--session", problem->text);
+        throw CommandLineError("--session", problem->text);
       }
       command.session = value;
     } else if (name == "--seed") {
@@ -273,7 +271,7 @@ LaunchCommand ReadLaunchCommand(const std::vector<std::string>& args) {
     }
   }
   if (command.mission_file.empty() && !command.wants_help) {
-    throw Refusal("mission file", "is missing, e.g. missions/table1/mission.moos");
+    throw CommandLineError("mission file", "is missing, e.g. missions/table1/mission.moos");
   }
   if (fs::is_directory(command.mission_file)) {
     command.mission_file /= "mission.moos";
@@ -345,7 +343,7 @@ LaunchPlan PlanLaunch(const LaunchCommand& command, const fs::path& own_folder) 
     // Half a mission must not be launched.
     if (const std::optional<Error> error =
             WriteDurably(plan.mission_file, WithReplacements(text, command.replacements))) {
-      throw Refusal("--Name=value", error->text);
+      throw CommandLineError("--Name=value", error->text);
     }
   }
   plan.mission = LoadMission(plan.mission_file);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/command_line_error.hpp"
 #include "limpet/session/session_name.hpp"
 
 namespace limpet {
@@ -14,13 +15,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDiscovery = "discovery";
 
-ConfigError Impossible(const std::string& key, const std::string& why) {
-  return ConfigError({{.file = "command line", .line = 0}, key, why});
-}
-
 void RequireName(const std::string& session) {
   if (const auto problem = SessionNameProblem(session))
-    throw Impossible("--session", problem->text);
+    throw CommandLineError("--session", problem->text);
 }
 
 bool HoldsSomething(const fs::path& folder) {
@@ -69,7 +66,8 @@ int LatestOf(const fs::path& first) {
 
 fs::path GivenPrior(const LaunchCommand& command) {
   if (!HoldsSession(command.prior_folder)) {
-    throw Impossible("--prior_folder", command.prior_folder.string() + " holds no saved session");
+    throw CommandLineError("--prior_folder",
+                           command.prior_folder.string() + " holds no saved session");
   }
   return command.prior_folder;
 }
@@ -77,10 +75,11 @@ fs::path GivenPrior(const LaunchCommand& command) {
 RunFolders InGivenFolder(const LaunchCommand& command) {
   const fs::path& run = command.run_folder;
   if (HoldsSomething(run / command.session)) {
-    throw Impossible("--run_folder",
-                     fmt::format("{} holds what a former launch left, and is not overwritten; name "
-                                 "another folder, or leave --run_folder out",
-                                 (run / command.session).string()));
+    throw CommandLineError(
+        "--run_folder",
+        fmt::format("{} holds what a former launch left, and is not overwritten; name "
+                    "another folder, or leave --run_folder out",
+                    (run / command.session).string()));
   }
   if (!command.prior_folder.empty()) {
     return {run, GivenPrior(command)};
@@ -89,10 +88,10 @@ RunFolders InGivenFolder(const LaunchCommand& command) {
     return {run, {}};
   }
   if (!HoldsSession(run / kDiscovery)) {
-    throw Impossible("--session",
-                     fmt::format("`{}` compares with a former session, and {} holds none; "
-                                 "--prior_folder=DIR names another",
-                                 command.session, (run / kDiscovery).string()));
+    throw CommandLineError("--session",
+                           fmt::format("`{}` compares with a former session, and {} holds none; "
+                                       "--prior_folder=DIR names another",
+                                       command.session, (run / kDiscovery).string()));
   }
   return {run, run / kDiscovery};
 }
@@ -120,8 +119,8 @@ RunFolders ChooseRunFolders(const LaunchCommand& command) {
       return {has_room ? run : Numbered(first, next), run / kDiscovery};
     }
   }
-  throw Impossible("--session",
-                   fmt::format("`{}` compares with a former session, and no dive is saved in {}; "
+  throw CommandLineError(
+      "--session", fmt::format("`{}` compares with a former session, and no dive is saved in {}; "
                                "fly a discovery first, or name one by --prior_folder=DIR",
                                command.session, first.string() + "*"));
 }
