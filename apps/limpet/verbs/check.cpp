@@ -15,6 +15,7 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/dry_run_check.hpp"
 #include "limpet/console/shown_text.hpp"
+#include "limpet/core/problem_order.hpp"
 #include "limpet/preflight/preflight.hpp"
 #include "limpet/runs/flown_mission.hpp"
 #include "limpet/runs/session_runner.hpp"
@@ -125,11 +126,6 @@ struct CheckLine {
   bool is_refused_here = false;
 };
 
-bool IsSame(const ConfigProblem& a, const ConfigProblem& b) {
-  return std::tie(a.where.file, a.where.line, a.key, a.text) ==
-         std::tie(b.where.file, b.where.line, b.key, b.text);
-}
-
 /// `file:line: key: text`; a note says so before its key, and behind its text if ours refuses it.
 std::string LineText(const CheckLine& line) {
   ConfigProblem shown = line.problem;
@@ -164,7 +160,7 @@ void PrintLines(const MissionProblems& found) {
       const bool is_note = list == &found.notes;
       const bool is_refused_here =
           is_note && std::ranges::any_of(found.refused_here, [&problem](const auto& refused) {
-            return IsSame(refused, problem);
+            return OrderOf(refused) == OrderOf(problem);
           });
       lines.push_back({problem, is_note, is_refused_here});
     }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include "limpet/app/registry.hpp"
+#include "limpet/core/problem_order.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/behavior_names.hpp"
@@ -28,20 +28,13 @@ void Join(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& pr
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-bool IsSame(const ConfigProblem& a, const ConfigProblem& b) {
-  const auto key = [](const ConfigProblem& p) {
-    return std::tie(p.where.file, p.where.line, p.key, p.text);
-  };
-  return key(a) == key(b);
-}
-
 /// By file and line, each once.
 void Sort(std::vector<ConfigProblem>& problems) {
-  const auto key = [](const ConfigProblem& p) {
-    return std::tie(p.where.file, p.where.line, p.key, p.text);
+  const auto is_same = [](const ConfigProblem& a, const ConfigProblem& b) {
+    return OrderOf(a) == OrderOf(b);
   };
-  std::ranges::sort(problems, {}, key);
-  problems.erase(std::unique(problems.begin(), problems.end(), IsSame), problems.end());
+  std::ranges::sort(problems, {}, [](const ConfigProblem& problem) { return OrderOf(problem); });
+  problems.erase(std::unique(problems.begin(), problems.end(), is_same), problems.end());
 }
 
 /// What is missing in several blocks is said once, by a global or the vehicle's file: names it.
