@@ -9,6 +9,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "limpet/mission/condition.hpp"
+#include "limpet/mission/yaml_list.hpp"
 
 namespace limpet::internal {
 namespace {
@@ -81,14 +82,9 @@ void ReadFault(YamlReader& in, const YAML::Node& node, const std::string& path,
 }  // namespace
 
 void ReadFaults(YamlReader& in, const YAML::Node& node, std::vector<ScenarioFault>& faults) {
-  if (!node.IsSequence() && !node.IsNull()) {
-    in.Complain(node, "faults",
-                fmt::format("{} is not allowed; allowed: a list", TextOfNode(node)));
-    return;
-  }
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    ReadFault(in, node[i], fmt::format("faults[{}]", i), faults);
-  }
+  ReadList(in, node, "faults", [&](const YAML::Node& element, const std::string& path) {
+    ReadFault(in, element, path, faults);
+  });
 }
 
 }  // namespace limpet::internal

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/mission/obstacle_reading.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "limpet/mission/scenario_reach.hpp"
+#include "limpet/mission/yaml_list.hpp"
 
 namespace limpet::internal {
 namespace {
@@ -54,18 +54,11 @@ void CheckKeys(YamlReader& in, const YAML::Node& node, const std::string& path,
 
 ScenarioObstacle ReadObstacle(YamlReader& in, const YAML::Node& node, const std::string& path) {
   ScenarioObstacle obstacle;
-  const auto read_name = [&](const YAML::Node& name) {
-    if (!name.IsScalar() || name.Scalar().empty()) {
-      in.Complain(name, path + ".name", fmt::format("{} is no name", TextOfNode(name)));
-      return;
-    }
-    obstacle.name = name.Scalar();
-  };
   const auto read_size = [&](const YAML::Node& size) {
     obstacle.size_m = ReadSize(in, size, path + ".size_m").value_or(obstacle.size_m);
   };
   in.ReadMap(node, path,
-             {{"name", read_name},
+             {NameField(in, path, obstacle.name),
               in.Choice(path, "shape", obstacle.shape, {"column", "box"}),
               in.Number(path, "north_m", obstacle.north_m, InRange(-kFarthest_m, kFarthest_m)),
               in.Number(path, "east_m", obstacle.east_m, InRange(-kFarthest_m, kFarthest_m)),
@@ -80,20 +73,11 @@ ScenarioObstacle ReadObstacle(YamlReader& in, const YAML::Node& node, const std:
 
 void ReadObstacles(YamlReader& in, const YAML::Node& node,
                    std::vector<ScenarioObstacle>& obstacles) {
-  if (!node.IsSequence() && !node.IsNull()) {
-    in.Complain(node, "obstacles",
-                fmt::format("{} is not allowed; allowed: a list", TextOfNode(node)));
-    return;
-  }
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    ScenarioObstacle obstacle = ReadObstacle(in, node[i], fmt::format("obstacles[{}]", i));
-    if (!obstacle.name.empty() &&
-        std::ranges::count(obstacles, obstacle.name, &ScenarioObstacle::name) > 0) {
-      in.Complain(node[i], fmt::format("obstacles[{}].name", i),
-                  fmt::format("`{}` is the name of two obstacles", obstacle.name));
-    }
-    obstacles.push_back(std::move(obstacle));
-  }
+  DistinctNames names(in, "obstacles");
+  ReadList(in, node, "obstacles", [&](const YAML::Node& element, const std::string& path) {
+    obstacles.push_back(ReadObstacle(in, element, path));
+    names.Add(element, path, obstacles.back().name);
+  });
 }
 
 void CheckObstacles(YamlReader& in, const YAML::Node& node, const Scenario& scenario) {

@@ -14,6 +14,7 @@
 #include "limpet/mission/obstacle_reading.hpp"
 #include "limpet/mission/scenario_reach.hpp"
 #include "limpet/mission/source_text.hpp"
+#include "limpet/mission/yaml_list.hpp"
 #include "limpet/mission/yaml_reader.hpp"
 
 namespace limpet {
@@ -135,15 +136,8 @@ void ReadSessionPlace(YamlReader& in, const std::string& path, const std::string
 
 ScenarioOpi ReadOpi(YamlReader& in, const YAML::Node& node, const std::string& path) {
   ScenarioOpi opi;
-  const auto read_name = [&](const YAML::Node& name) {
-    if (!name.IsScalar() || name.Scalar().empty()) {
-      in.Complain(name, path + ".name", fmt::format("{} is no name", TextOfNode(name)));
-      return;
-    }
-    opi.name = name.Scalar();
-  };
   std::vector<YamlReader::Field> fields = {
-      {"name", read_name},
+      internal::NameField(in, path, opi.name),
       in.Choice(path, "color", opi.color,
                 {"yellow", "orange", "green", "red", "blue", "white", "black", "purple"}),
       in.Number(path, "radius_m", opi.radius_m, InRange(0.05, 5.0))};
@@ -159,18 +153,11 @@ ScenarioOpi ReadOpi(YamlReader& in, const YAML::Node& node, const std::string& p
 }
 
 void ReadOpis(YamlReader& in, const YAML::Node& node, std::vector<ScenarioOpi>& opis) {
-  if (!node.IsSequence() && !node.IsNull()) {
-    in.Complain(node, "opis", fmt::format("{} is not allowed; allowed: a list", TextOfNode(node)));
-    return;
-  }
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    ScenarioOpi opi = ReadOpi(in, node[i], fmt::format("opis[{}]", i));
-    if (!opi.name.empty() && std::ranges::count(opis, opi.name, &ScenarioOpi::name) > 0) {
-      in.Complain(node[i], fmt::format("opis[{}].name", i),
-                  fmt::format("`{}` is the name of two objects", opi.name));
-    }
-    opis.push_back(std::move(opi));
-  }
+  internal::DistinctNames names(in, "objects");
+  internal::ReadList(in, node, "opis", [&](const YAML::Node& element, const std::string& path) {
+    opis.push_back(ReadOpi(in, element, path));
+    names.Add(element, path, opis.back().name);
+  });
 }
 
 /// An object must be in the water: not above the surface, not wholly inside the seabed.
