@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/helm/all_flags.hpp"
 #include "limpet/helm/behavior_host_warnings.hpp"
 
 namespace limpet {
@@ -106,9 +107,7 @@ std::vector<ConfigProblem> BehaviorHost::IgnoredLines() const {
 std::vector<std::string> BehaviorHost::PostedVariables() const {
   std::set<std::string> names;
   for (const auto& hosted : hosted_) {
-    const FlagLists& lists = hosted->settings().flags;
-    for (const auto* flags : {&lists.spawn, &lists.spawnx, &lists.config, &lists.run, &lists.runx,
-                              &lists.active, &lists.inactive, &lists.idle, &lists.end}) {
+    for (const auto* flags : AllFlags(hosted->settings().flags)) {
       for (const Flag& flag : *flags)
         names.insert(flag.variable);
     }

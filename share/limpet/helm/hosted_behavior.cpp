@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/helm/all_flags.hpp"
 #include "limpet/helm/behavior_failure_warnings.hpp"
 #include "limpet/helm/behavior_names.hpp"
 #include "limpet/helm/node_message.hpp"
@@ -94,9 +95,7 @@ std::vector<std::string> HostedBehavior::Variables() const {
   for (const Condition& condition : settings_.conditions) {
     add(condition.Variables());
   }
-  const FlagLists& lists = settings_.flags;
-  for (const auto* flags : {&lists.spawn, &lists.spawnx, &lists.config, &lists.run, &lists.runx,
-                            &lists.active, &lists.inactive, &lists.idle, &lists.end}) {
+  for (const auto* flags : AllFlags(settings_.flags)) {
     for (const Flag& flag : *flags) {
       if (flag.condition) add(flag.condition->Variables());
     }
