@@ -89,18 +89,6 @@ PassTour TourOf(const Pose2& start, const Ground& ground, const Region& region,
 
 }  // namespace
 
-std::optional<Option> GapTour(const Pose2& start, const Ground& ground, const Region& region,
-                              const GapParams& params) {
-  const PassTour tour = TourOf(start, ground, region, params);
-  for (auto end = tour.reached.rbegin(); end != tour.reached.rend(); ++end) {
-    DubinsPath path = tour.path.Prefix(*end);
-    if (region.Contains(path)) {
-      return Option{.source = "gap_tour", .path = path, .estimate = -path.length()};
-    }
-  }
-  return std::nullopt;
-}
-
 std::vector<Option> GapPaths(const Pose2& start, const Ground& ground, const Region& region,
                              const Objective& objective, const GapParams& params) {
   const PassTour tour = TourOf(start, ground, region, params);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "limpet/core/units.hpp"
@@ -23,10 +22,6 @@ struct GapParams {
   /// Patches smaller than this, mean over layers [m^2], are not worth a path of their own.
   double min_patch_m2 = 0.05;
 };
-
-/// The shortest path found through every patch that the finish needs; nothing if none is left.
-[[nodiscard]] std::optional<Option> GapTour(const Pose2& start, const Ground& ground,
-                                            const Region& region, const GapParams& params);
 
 /// Dubins paths through what is still unseen, wherever it is: for the end of a survey, when little
 /// is left and a beam's horizon sees none of it. Best first; empty if all is seen.
