@@ -2,7 +2,6 @@
 // The smoother's results as MRPT types, for whoever composes, serialises or compares them.
 #pragma once
 
-#include <mrpt/poses/CPose3D.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include "estimation/smoothing/nav_vector.hpp"
@@ -10,10 +9,8 @@
 namespace limpet {
 
 /// MRPT's yaw-pitch-roll is ours: R = Rz Ry Rx; covariances keep NavVector's order.
-[[nodiscard]] mrpt::poses::CPose3D MrptPose(const NavVector& x);
 [[nodiscard]] mrpt::poses::CPose3DPDFGaussian MrptPosePdf(const NavVector& x,
                                                           const NavCovariance& covariance);
-[[nodiscard]] NavVector NavVectorOf(const mrpt::poses::CPose3D& pose);
 [[nodiscard]] NavCovariance CovarianceOf(const mrpt::poses::CPose3DPDFGaussian& pdf);
 
 }  // namespace limpet
