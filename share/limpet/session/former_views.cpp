@@ -53,7 +53,7 @@ bool IsOneLook(const ObservedFrame& a, const ObservedFrame& b) {
 }
 
 bool IsListed(const Box& box, const std::vector<int>& landmarks) {
-  return box.landmark >= 0 && std::ranges::find(landmarks, box.landmark) != landmarks.end();
+  return box.landmark.has_value() && std::ranges::find(landmarks, *box.landmark) != landmarks.end();
 }
 
 void AddView(const View& view, Seconds start, const std::vector<int>& landmarks,
