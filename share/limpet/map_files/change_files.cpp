@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/map_files/geo_json.hpp"
 #include "limpet/map_files/geo_place.hpp"
 #include "limpet/map_files/object_files.hpp"
 
@@ -33,7 +34,7 @@ OrderedJson ChangeFeature(const SessionComparison& comparison, const OpiBelief& 
   const std::optional<double> moved = MovedBy(comparison, object);
   const Eigen::Vector3d& p_W = object.object.p_W;
   return {{"type", "Feature"},
-          {"geometry", {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}}},
+          {"geometry", GeoPointJson(grid, p_W)},
           {"properties",
            {{"decided", NameOf(object.decided)},
             {"class", object.object.color},
@@ -76,8 +77,7 @@ std::string ChangesToGeoJson(const SessionComparison& comparison, const GeoPoint
   OrderedJson features = OrderedJson::array();
   for (const OpiBelief& object : comparison.objects)
     features.push_back(ChangeFeature(comparison, object, grid));
-  const OrderedJson collection{{"type", "FeatureCollection"}, {"features", std::move(features)}};
-  return collection.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return FeatureCollectionText(std::move(features));
 }
 
 }  // namespace limpet

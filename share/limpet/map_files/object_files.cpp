@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/map_files/geo_json.hpp"
 #include "limpet/map_files/geo_place.hpp"
 #include "limpet/survey/survey_shape.hpp"
 
@@ -31,7 +32,7 @@ OrderedJson FeatureOf(const OpiBelief& opi, const LocalGrid& grid) {
   const Eigen::Vector3d sigma = opi.object.sd_W();
   return {{"type", "Feature"},
           {"id", opi.id},
-          {"geometry", {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}}},
+          {"geometry", GeoPointJson(grid, p_W)},
           {"properties",
            {{"class", opi.object.color},
             {"decided", NameOf(opi.decided)},
@@ -87,8 +88,7 @@ std::string ObjectsToGeoJson(const SavedSession& session, const GeoPoint& datum)
   for (const OpiBelief& opi : ObjectsOf(session))
     features.push_back(FeatureOf(opi, grid));
   if (session.memory.area) features.push_back(FeatureOf(*session.memory.area, grid));
-  const OrderedJson collection{{"type", "FeatureCollection"}, {"features", std::move(features)}};
-  return collection.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return FeatureCollectionText(std::move(features));
 }
 
 }  // namespace limpet
