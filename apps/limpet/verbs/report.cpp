@@ -16,6 +16,7 @@
 #include "limpet/runs/run_settings.hpp"
 #include "limpet/scoring/log_replay.hpp"
 #include "limpet/session/session_name.hpp"
+#include "limpet/session/session_order.hpp"
 
 namespace limpet {
 namespace {
@@ -47,19 +48,14 @@ judged: what needs the truth is left out.
       .most_words = 1};
 }
 
-/// Sessions that left a folder, discovery first, then change, then others by name.
+/// Sessions that left a folder, in the order in which they are told of.
 std::vector<std::string> SessionsIn(const fs::path& run) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(run)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_directory() && !SessionNameProblem(name)) names.push_back(name);
   }
-  const auto rank = [](const std::string& name) {
-    return name == "discovery" ? 0 : name == "change" ? 1 : 2;
-  };
-  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-    return rank(a) != rank(b) ? rank(a) < rank(b) : a < b;
-  });
+  SortSessions(names);
   return names;
 }
 

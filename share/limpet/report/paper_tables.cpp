@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/report/paper_tables.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include "limpet/session/session_order.hpp"
 
 namespace limpet {
 namespace {
@@ -148,9 +148,7 @@ std::vector<std::string> InOrder(const RunStatistics& runs) {
   std::vector<std::string> names;
   for (const auto& [name, session] : runs.sessions)
     names.push_back(name);
-  std::ranges::stable_sort(names, {}, [](const std::string& name) {
-    return name == "discovery" ? 0 : name == "change" ? 1 : 2;
-  });
+  SortSessions(names);
   return names;
 }
 
