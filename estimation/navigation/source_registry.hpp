@@ -6,12 +6,12 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/source_factory.hpp"
+#include "limpet/core/factory_registry.hpp"
 #include "limpet/core/params.hpp"
 
 namespace limpet {
@@ -19,16 +19,6 @@ namespace limpet {
 /// Adds a source. REQUIRES: the name is new.
 void RegisterSource(const std::string& name,
                     std::function<std::unique_ptr<SourceFactory>()> make_factory);
-
-/// Lower-case words joined by underscores, as a mission file names a source.
-[[nodiscard]] constexpr bool IsSourceName(std::string_view name) {
-  if (name.empty() || name.front() < 'a' || name.front() > 'z') return false;
-  for (const char letter : name) {
-    const bool is_word = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
-    if (!is_word && letter != '_') return false;
-  }
-  return true;
-}
 
 template <class S>
 class SourceFactoryOf final : public SourceFactory {
@@ -56,7 +46,7 @@ class SourceFactoryOf final : public SourceFactory {
 
 /// Makes a source known under the name that `sources = ...` of pNav's block gives.
 #define LIMPET_REGISTER_SOURCE(Class, source_name)                                                 \
-  static_assert(::limpet::IsSourceName(source_name), "lower_case words");                          \
+  static_assert(::limpet::IsLowerCaseName(source_name), "lower_case words");                       \
   static const bool limpet_registered_##Class = [] {                                               \
     ::limpet::RegisterSource(source_name,                                                          \
                              [] { return std::make_unique<::limpet::SourceFactoryOf<Class>>(); }); \

@@ -3,15 +3,14 @@
 // LIMPET_REGISTER_DETECTOR(ColorShapeDetector, "color_shape");
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "limpet/core/expected.hpp"
+#include "limpet/core/factory_registry.hpp"
 #include "limpet/core/params.hpp"
 #include "limpet/vision/detector.hpp"
 
@@ -40,15 +39,6 @@ class DetectorFactory {
 void RegisterDetector(const std::string& name,
                       std::function<std::unique_ptr<DetectorFactory>()> make_factory);
 
-/// Lower-case words joined by underscores, as a mission file names a detector.
-[[nodiscard]] constexpr bool IsDetectorName(std::string_view name) {
-  return !name.empty() && name.front() >= 'a' && name.front() <= 'z' &&
-         std::ranges::all_of(name, [](char letter) {
-           return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') ||
-                  letter == '_';
-         });
-}
-
 template <class D>
 class DetectorFactoryOf final : public DetectorFactory {
   static_assert(std::is_base_of_v<Detector, D>, "a detector derives from limpet::Detector");
@@ -74,7 +64,7 @@ class DetectorFactoryOf final : public DetectorFactory {
 
 /// Makes a detector known under the name that `detector = ...` of pDetect's block gives.
 #define LIMPET_REGISTER_DETECTOR(Class, detector_name)                                         \
-  static_assert(::limpet::IsDetectorName(detector_name), "lower_case words");                  \
+  static_assert(::limpet::IsLowerCaseName(detector_name), "lower_case words");                 \
   static const bool limpet_registered_##Class = [] {                                           \
     ::limpet::RegisterDetector(                                                                \
         detector_name, [] { return std::make_unique<::limpet::DetectorFactoryOf<Class>>(); }); \

@@ -64,11 +64,5 @@ TEST(DetectorRegistryDeathTest, TwoDetectorsOfOneNameAreABug) {
   EXPECT_DEATH(RegisterDetector("whole_image", [] { return nullptr; }), "whole_image");
 }
 
-TEST(DetectorNames, AreLowerCaseWords) {
-  static_assert(IsDetectorName("color_shape") && IsDetectorName("net2"));
-  static_assert(!IsDetectorName("") && !IsDetectorName("ColorShape") && !IsDetectorName("2_d") &&
-                !IsDetectorName("a b"));
-}
-
 }  // namespace
 }  // namespace limpet
