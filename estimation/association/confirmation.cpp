@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "estimation/association/pair_evidence.hpp"
 #include "estimation/association/track_placement.hpp"
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 namespace {
@@ -105,7 +105,7 @@ Confirmation::PairLikelihood Confirmation::LikelihoodOf(const TrackedObject& ten
   S += tentative.tentative().covariance_W + landmark.MotionCovariance();
   S.diagonal().array() += kPlaceError * kPlaceError;
   pair.distance2 = d.dot(S.llt().solve(d));
-  pair.cost = pair.distance2 + std::log(S.determinant()) + 3.0 * std::log(2.0 * std::numbers::pi) +
+  pair.cost = NormalCost(pair.distance2, std::log(S.determinant()), 3) +
               ClassCost(tentative, landmark, params_.gate.confused_class_share) +
               TogetherCost(tentative, landmark);
   return pair;

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
+
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 namespace {
@@ -84,7 +85,7 @@ double ShareWithin(const Difference& d, double distance) {
   const Eigen::Vector3d u = d.mean / n;
   const double along = u.dot(d.covariance * u);
   const double usual = std::sqrt(n * n + std::max(d.covariance.trace() - along, 0.0));
-  return 0.5 * std::erfc((usual - distance) / std::sqrt(2.0 * along));
+  return NormalShareBelow(distance - usual, along);
 }
 
 /// Adds that a claimant is none of the others: alone, or beside one of them.
@@ -121,8 +122,7 @@ void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int sa
   const Eigen::LLT<Eigen::Matrix3d> llt(d.covariance);
   const Eigen::Matrix3d L = llt.matrixL();
   const Eigen::Vector3d w = L.triangularView<Eigen::Lower>().solve(d.mean);
-  partial.hypothesis.cost += w.squaredNorm() + 2.0 * L.diagonal().array().log().sum() +
-                             3.0 * std::log(2.0 * std::numbers::pi);
+  partial.hypothesis.cost += NormalCost(w.squaredNorm(), 2.0 * L.diagonal().array().log().sum(), 3);
   Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(n + 3, n + 3);
   factor.topLeftCorner(n, n) = partial.factor;
   factor.bottomLeftCorner(3, n) = d.across.transpose();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -14,6 +13,7 @@
 #include "estimation/association/pair_evidence.hpp"
 #include "estimation/association/track_placement.hpp"
 #include "estimation/smoothing/factors/reprojection_factor.hpp"
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 namespace {
@@ -104,9 +104,9 @@ void LandmarkReview::SplitOff(std::vector<Observation> outliers, const TrackedOb
 bool LandmarkReview::AreLikelyOne(const TrackedObject& a, const TrackedObject& b,
                                   const Eigen::Matrix3d& difference) const {
   const Eigen::Vector3d d = smoother_.BorderAt(a.slot()) - smoother_.BorderAt(b.slot());
-  const double one = d.dot(difference.llt().solve(d)) + std::log(difference.determinant()) +
-                     3.0 * std::log(2.0 * std::numbers::pi) + TogetherCost(a, b) +
-                     ClassCost(a, b, params_.gate.confused_class_share);
+  const double distance2 = d.dot(difference.llt().solve(d));
+  const double one = NormalCost(distance2, std::log(difference.determinant()), 3) +
+                     TogetherCost(a, b) + ClassCost(a, b, params_.gate.confused_class_share);
   return one < NewObjectCost(tracks_, params_) + OverlapCost(d, difference, params_.model.radius_m);
 }
 

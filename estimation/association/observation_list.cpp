@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/association/observation_list.hpp"
 
-#include <cmath>
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 
@@ -35,11 +35,10 @@ void ObservationList::CountVotes() {
 }
 
 double ObservationList::LogOdds() const {
+  constexpr Interval kSayOfBox{.low = 0.05, .high = 0.95};
   double sum = 0.0;
-  for (const Observation& observation : all_) {
-    const double c = std::clamp(observation.confidence, 0.05, 0.95);
-    sum += std::log(c / (1.0 - c));
-  }
+  for (const Observation& observation : all_)
+    sum += LogOddsOf(observation.confidence, kSayOfBox);
   return sum;
 }
 

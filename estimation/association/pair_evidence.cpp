@@ -5,10 +5,13 @@
 #include <cmath>
 #include <set>
 
+#include "limpet/core/probability.hpp"
+
 namespace limpet {
 namespace {
 
 constexpr double kFalseThere = 0.05;  // share of the image where a false box is taken for an object
+constexpr Interval kWeakerBox{.low = 0.5, .high = 0.95};  // of two: no evidence against them
 
 }  // namespace
 
@@ -42,8 +45,8 @@ double TogetherCost(const TrackedObject& a, const TrackedObject& b) {
   auto j = b.observations.rbegin();
   while (i != a.observations.rend() && j != b.observations.rend() && cost < kTwoObjectsCost) {
     if (i->frame == j->frame) {
-      const double c = std::clamp(std::min(i->confidence, j->confidence), 0.5, 0.95);
-      cost += 2.0 * std::log(c / (1.0 - c)) - 2.0 * std::log(kFalseThere);
+      const double weaker = std::min(i->confidence, j->confidence);
+      cost += 2.0 * LogOddsOf(weaker, kWeakerBox) - 2.0 * std::log(kFalseThere);
       ++i, ++j;
     } else {
       (i->frame > j->frame ? i : j)++;
@@ -57,7 +60,7 @@ double OverlapCost(const Eigen::Vector3d& d, const Eigen::Matrix3d& covariance, 
   const Eigen::Vector3d u = d / n;
   const double along = u.dot(covariance * u);
   const double distance = std::sqrt(n * n + std::max(covariance.trace() - along, 0.0));
-  const double apart = 0.5 * std::erfc((radius - distance) / std::sqrt(2.0 * along));
+  const double apart = NormalShareBelow(distance - radius, along);
   return -2.0 * std::log(std::max(apart, 1e-6));
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "limpet/core/probability.hpp"
+
 namespace limpet {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr double kRunPause = 5.0;            // [s] between boxes of one thing
 constexpr double kNear = 3.0;                // [m], level
 constexpr double kMostSure = 0.99;           // no box is surer than that
 constexpr std::size_t kMostRemembered = 64;  // the oldest go first
+constexpr Interval kCredible{.low = 1.0 - kMostSure, .high = kMostSure};
 
 }  // namespace
 
@@ -38,8 +41,7 @@ void UnplacedObjects::NoteDropped(const TrackedObject& track) {
 void UnplacedObjects::NoteUnusable(const Box& box, const Eigen::Vector3d& p_W, double t) {
   if (box.color != run_.object.color || t - run_.last > kRunPause)
     run_ = {.object = {.color = box.color, .boxes = 0, .p_W = p_W}};
-  const double c = std::clamp(box.confidence, 1.0 - kMostSure, kMostSure);
-  run_.log_odds += std::log(c / (1.0 - c));
+  run_.log_odds += LogOddsOf(box.confidence, kCredible);
   run_.last = t;
   ++run_.object.boxes;
   if (run_.object.boxes < kManyBoxes || run_.log_odds < least_log_odds_) return;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "estimation/change/log_space.hpp"
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 namespace {
@@ -33,7 +34,7 @@ double LogNormal(double x) { return -0.5 * x * x; }
 double LogCumulative(double x) {
   constexpr double kTail = -8.0;
   if (x < kTail) return LogNormal(x) - std::log(-x) - 0.5 * std::log(2.0 * std::numbers::pi);
-  return std::log(0.5 * std::erfc(-x / std::numbers::sqrt2));
+  return std::log(StandardNormalShareBelow(x));
 }
 
 /// ln P of a bin where ln contrast is expected to be `expected`.

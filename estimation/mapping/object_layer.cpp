@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "estimation/mapping/status_label.hpp"
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 namespace {
@@ -14,10 +15,8 @@ constexpr float kOccupiedPerLook = 0.85F;
 /// An object that moved farther than this is judged again from all frames [m].
 constexpr double kRejudgeDistance = 0.3;
 
-double LogOdds(double p) {
-  const double safe = std::clamp(p, 1e-6, 1.0 - 1e-6);
-  return std::log(safe / (1.0 - safe));
-}
+/// What is certain has log odds that voxels can hold.
+constexpr Interval kUncertain{.low = 1e-6, .high = 1.0 - 1e-6};
 
 }  // namespace
 
@@ -182,13 +181,14 @@ void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
     }
   }
   const auto looks = static_cast<float>(std::max<std::size_t>(object.looks.size(), 1));
+  const auto exists = static_cast<float>(LogOddsOf(object.status.posterior.present(), kUncertain));
   std::vector<VoxelKey> certain;
   for (const auto& [key, log_odds] : painted) {
     map.Paint(key, {.occupied = kOccupiedPerLook * looks,
                     .object = static_cast<float>(log_odds),
-                    .exists = static_cast<float>(LogOdds(object.status.posterior.present())),
+                    .exists = exists,
                     .label = LabelOf(object.status.decided)});
-    if (log_odds > LogOdds(params_.threshold)) {
+    if (log_odds > LogOddsOf(params_.threshold, kUncertain)) {
       certain.push_back(key);
     }
   }

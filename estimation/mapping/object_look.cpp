@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "limpet/core/probability.hpp"
+
 namespace limpet {
 namespace {
 
@@ -98,7 +100,7 @@ std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraModel
     const Eigen::Vector3d ray = R_WC * camera.RayOf(box.u + du, box.v + dv);
     if (const std::optional<double> distance = FirstMeeting(origin, ray, centre, radius)) {
       const double p = ObjectProbability({std::hypot(du, dv), half_px}, box.confidence);
-      evidence.push_back({origin + *distance * ray, std::log(p / (1.0 - p))});
+      evidence.push_back({origin + *distance * ray, LogOddsOf(p)});
     }
   }
   return evidence;

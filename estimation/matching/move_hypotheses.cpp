@@ -7,6 +7,8 @@
 
 #include <Eigen/LU>
 
+#include "limpet/core/probability.hpp"
+
 namespace limpet {
 namespace {
 
@@ -53,9 +55,7 @@ struct Vertical {
   }
   /// Where the object went up or down by kLeastMove to `farthest`, all as likely.
   [[nodiscard]] double DensityOfLifts(double farthest) const {
-    const auto below = [this](double d) {
-      return 0.5 * std::erfc((off - d) / std::sqrt(2.0 * variance));
-    };
+    const auto below = [this](double d) { return NormalShareBelow(d - off, variance); };
     const double up = below(-kLeastMove) - below(-farthest);
     const double down = below(farthest) - below(kLeastMove);
     return 0.5 * (up + down) / (farthest - kLeastMove);

@@ -9,6 +9,7 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/logistic.hpp"
+#include "limpet/core/probability.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 #include "limpet/vision/detector_registry.hpp"
 
@@ -18,12 +19,8 @@ namespace {
 constexpr double kSameObject = 0.5;   // overlap of two boxes of one object
 constexpr double kLeastShape = 0.05;  // a weak outline is a weak witness, but one
 constexpr double kLeastScore = -6.0;  // a network that is surer than that of nothing is no surer
-
-double LogitOf(double probability) {
-  constexpr double kMostCertain = 0.98;
-  const double p = std::clamp(probability, 1.0 - kMostCertain, kMostCertain);
-  return std::log(p / (1.0 - p));
-}
+constexpr double kMostCertain = 0.98;
+constexpr Interval kCredible{.low = 1.0 - kMostCertain, .high = kMostCertain};  // of an outline
 
 double ConfidenceOf(const WitnessWeights& weights, const WitnessedProposal& proposal) {
   const WitnessFeatures features = FeaturesOf(proposal);
@@ -42,7 +39,7 @@ WitnessFeatures FeaturesOf(const WitnessedProposal& proposal) {
           .color = proposal.network.color_logit,
           .roundness = proposal.network.roundness,
           .shape_found = has_shape ? 1.0 : 0.0,
-          .shape = has_shape ? LogitOf(proposal.shape->confidence) : 0.0};
+          .shape = has_shape ? LogOddsOf(proposal.shape->confidence, kCredible) : 0.0};
 }
 
 CombinedDetector::CombinedDetector(const Params& params)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "limpet/core/probability.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -27,7 +28,7 @@ class EvidenceTable {
   EvidenceTable() {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const double z = static_cast<double>(i) / kPerSigma - kFarthestSigmas;
-      const double unseen = 0.5 * std::erfc(z / std::numbers::sqrt2);
+      const double unseen = StandardNormalShareBelow(-z);
       steps_[i] = static_cast<std::uint8_t>(
           std::clamp(std::round(-kStepsPerBit * std::log2(unseen)), 0.0, 255.0));
     }

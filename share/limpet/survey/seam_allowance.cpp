@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "limpet/core/probability.hpp"
 
 namespace limpet {
 namespace {
 
 /// Mean of how far a standard normal variable exceeds `z`, where it does.
-double MeanExcess(double z) {
-  const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
-  return density - 0.5 * z * std::erfc(z / std::numbers::sqrt2);
-}
+double MeanExcess(double z) { return StandardNormalDensity(z) - z * StandardNormalShareBelow(-z); }
 
 }  // namespace
 

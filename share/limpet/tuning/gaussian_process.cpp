@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "limpet/core/probability.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -62,9 +63,7 @@ double ExpectedImprovement(const Prediction& prediction, double best) {
   const double gain = best - prediction.mean;
   if (prediction.sd <= 0.0) return std::max(0.0, gain);
   const double z = gain / prediction.sd;
-  const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
-  const double share = 0.5 * std::erfc(-z / std::numbers::sqrt2);
-  return gain * share + prediction.sd * density;
+  return gain * StandardNormalShareBelow(z) + prediction.sd * StandardNormalDensity(z);
 }
 
 }  // namespace limpet
