@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/core/logistic.hpp"
+
 namespace limpet {
 
 double FixRow::Gain(std::optional<double> gap) const {
-  return gap ? 1.0 / (1.0 + std::exp(-*gap / correlation)) - 0.5 : 0.5;
+  return gap ? Logistic(*gap / correlation) - 0.5 : 0.5;
 }
 
 double FixRow::WorthOf(std::size_t i) const {

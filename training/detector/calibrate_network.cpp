@@ -22,6 +22,7 @@
 #include <fmt/format.h>
 
 #include "limpet/characterisation/detector_trial.hpp"
+#include "limpet/core/logistic.hpp"
 #include "limpet/detectors/combined_detector.hpp"
 #include "limpet/objects/pixel_rect.hpp"
 
@@ -110,7 +111,7 @@ class Examples {
 
  private:
   [[nodiscard]] static double ChanceOf(const Features& theta, const Features& features) {
-    return 1.0 / (1.0 + std::exp(-theta.dot(features)));
+    return Logistic(theta.dot(features));
   }
   std::vector<Example> all_;
 };

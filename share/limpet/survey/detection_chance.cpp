@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/core/logistic.hpp"
+
 namespace limpet {
 namespace {
 
@@ -24,8 +26,7 @@ double InsideFactor(const DetectionModel& detector, double share) {
 
 /// Share of the contrast that reaches a camera `range` metres away in water of this visibility [m].
 double Contrast(const DetectionModel& detector, double range, double visibility) {
-  return 1.0 / (1.0 + std::exp((range - detector.half_range * visibility) /
-                               (detector.fall_off * visibility)));
+  return Logistic((detector.half_range * visibility - range) / (detector.fall_off * visibility));
 }
 
 /// Offset of the i-th of kDiscPoints points spread evenly over the unit disc (sunflower).
@@ -51,7 +52,7 @@ PerVisibility DetectionChances(const DetectionModel& detector, double range, dou
 
 double SizeFactor(const DetectionModel& detector, double size_px) {
   const double least = detector.least_size_px;
-  return 1.0 / (1.0 + std::exp((least - size_px) / (kSizeFallOff * least)));
+  return Logistic((size_px - least) / (kSizeFallOff * least));
 }
 
 double HalfRange(const DetectionModel& detector) {
