@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "limpet/core/statistics.hpp"
 
 namespace limpet {
 namespace {
@@ -28,8 +31,7 @@ double MedianDepth(const std::vector<BeamEnd>& ends) {
   for (const BeamEnd& end : ends) {
     depths.push_back(end.p_W.z());
   }
-  std::ranges::sort(depths);
-  return depths[depths.size() / 2];
+  return UpperMedian(std::move(depths));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "limpet/core/statistics.hpp"
+
 namespace limpet {
 namespace {
 
@@ -58,10 +60,9 @@ void FixConsensus::NoteStep(const HeldFix& held) {
   if (added_ > 0 && held.fix.t - last_t_ <= kLongestStep) {
     steps_.push_back((held.off_W - last_off_W_).norm());
     if (steps_.size() > kLatestSteps) steps_.pop_front();
-    std::vector<double> sorted(steps_.begin(), steps_.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    usual_step_ = steps_.size() < kFewest ? 0.0 : *middle;
+    usual_step_ = steps_.size() < kFewest
+                      ? 0.0
+                      : UpperMedian(std::vector<double>(steps_.begin(), steps_.end()));
   }
   last_off_W_ = held.off_W;
 }

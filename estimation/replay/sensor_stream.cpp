@@ -10,11 +10,13 @@
 #include <string_view>
 #include <system_error>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "estimation/replay/csv_fields.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/core/statistics.hpp"
 
 namespace limpet {
 namespace {
@@ -34,10 +36,7 @@ class StatedNoises {
  private:
   static void Replace(std::vector<double>& stated, double& noise) {
     std::erase_if(stated, [](double sd) { return !(sd > 0.0); });
-    if (stated.empty()) return;
-    const auto middle = stated.begin() + static_cast<std::ptrdiff_t>(stated.size() / 2);
-    std::ranges::nth_element(stated, middle);
-    noise = *middle;
+    if (!stated.empty()) noise = UpperMedian(std::move(stated));
   }
   std::vector<double> velocity_, depth_, tilt_;
 };

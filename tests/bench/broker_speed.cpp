@@ -23,11 +23,11 @@
 #include <unistd.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/core/statistics.hpp"
 #include "limpet/pubsub/tcp_client.hpp"
 #include "tests/bench/broker_process.hpp"
 #include "tests/bench/loopback_limits.hpp"
 #include "tests/bench/process_cost.hpp"
-#include "tests/support/quantile.hpp"
 
 namespace {
 

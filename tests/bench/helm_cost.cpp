@@ -14,7 +14,7 @@
 #include "apps/pHelm/helm_app.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/frames.hpp"
-#include "tests/support/quantile.hpp"
+#include "limpet/core/statistics.hpp"
 #include "tests/support/test_link.hpp"
 
 namespace {

@@ -14,7 +14,7 @@
 #include "estimation/mapping/semantic_map.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/random.hpp"
-#include "tests/support/quantile.hpp"
+#include "limpet/core/statistics.hpp"
 
 namespace {
 

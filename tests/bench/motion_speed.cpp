@@ -15,9 +15,9 @@
 #include "limpet/core/clock.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/random.hpp"
+#include "limpet/core/statistics.hpp"
 #include "limpet/core/units.hpp"
 #include "limpet/helm/motion_decision.hpp"
-#include "tests/support/quantile.hpp"
 
 namespace {
 

@@ -14,10 +14,10 @@
 
 #include "estimation/replay/replay.hpp"
 #include "limpet/core/clock.hpp"
+#include "limpet/core/statistics.hpp"
 #include "tests/bench/consistency.hpp"
 #include "tests/support/batch_solver.hpp"
 #include "tests/support/dropout.hpp"
-#include "tests/support/quantile.hpp"
 #include "tests/support/trajectory_error.hpp"
 
 namespace {

@@ -23,13 +23,13 @@
 #include <fmt/format.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/core/statistics.hpp"
 #include "tests/bench/consistency.hpp"
 #include "tests/bench/earlier_session.hpp"
 #include "tests/bench/error_scenes.hpp"
 #include "tests/bench/honesty_page.hpp"
 #include "tests/bench/study_scenes.hpp"
 #include "tests/support/dropout.hpp"
-#include "tests/support/quantile.hpp"
 #include "tests/support/simulated_stream.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "limpet/core/clock.hpp"
+#include "limpet/core/statistics.hpp"
 #include "tests/support/published_run.hpp"
-#include "tests/support/quantile.hpp"
 
 namespace {
 

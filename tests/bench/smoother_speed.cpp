@@ -13,7 +13,7 @@
 #include <malloc.h>
 
 #include "limpet/core/clock.hpp"
-#include "tests/support/quantile.hpp"
+#include "limpet/core/statistics.hpp"
 #include "tests/support/simulated_stream.hpp"
 
 namespace {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "limpet/core/logistic.hpp"
 #include "limpet/core/require.hpp"
+#include "limpet/core/statistics.hpp"
 
 namespace limpet {
 namespace {
@@ -26,20 +28,12 @@ double ShareFound(const Looks& looks) {
   return static_cast<double>(found) / std::max(1.0, static_cast<double>(looks.size()));
 }
 
-double Median(std::vector<double> values, double share = 0.5) {
-  if (values.empty()) return 0.0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                          share * (static_cast<double>(values.size()) - 1.0));
-  std::ranges::nth_element(values, place);
-  return *place;
-}
-
 /// Standard deviation of the normal distribution with the same 80 % of absolute values: some tail,
 /// but no single blunder, counts.
 double Spread(std::vector<double> errors) {
   for (double& error : errors)
     error = std::abs(error);
-  return Median(std::move(errors), 0.8) / 1.2816;
+  return Quantile(std::move(errors), 0.8) / 1.2816;
 }
 
 template <class Value>
@@ -143,7 +137,7 @@ void FitSpreads(const Looks& found, BoxModelConstants& k) {
   const double near2 = MeanOf(near, SquareRange);
   const double far2 = MeanOf(far, SquareRange);
   const double centre = std::max(Spread(CentreErrors(near)), 1e-3);
-  k.size_bias_px = Median(SizeErrors(near, 0.0));
+  k.size_bias_px = Quantile(SizeErrors(near, 0.0), 0.5);
   const double growth = far.empty() ? 1.0 : Spread(CentreErrors(far)) / centre;
   k.sd_growth_faint = std::max(0.0, (growth - 1.0) / std::max(far2 - growth * near2, 1e-3));
   const double scale = 1.0 + k.sd_growth_faint * near2;

@@ -12,6 +12,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/core/statistics.hpp"
+
 namespace limpet {
 namespace {
 
@@ -61,18 +63,12 @@ std::size_t CountKnown(const DepthGrid& grid) {
   return known;
 }
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// Standard deviation of what most of the values are, whatever the rest is.
 double UsualSize(const std::vector<double>& values) {
   constexpr double kOfNormal = 0.6745;  // half of a normal distribution is within so many sigmas
   std::vector<double> sizes = Known(values);
   std::ranges::transform(sizes, sizes.begin(), [](double value) { return std::abs(value); });
-  return Median(std::move(sizes)) / kOfNormal;
+  return UpperMedian(std::move(sizes)) / kOfNormal;
 }
 
 /// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
@@ -122,10 +118,11 @@ DepthDifference Difference(const DepthGrid& a, const DepthGrid& b, const FrameOf
   difference.cells_a = CountKnown(a);
   difference.cells_b = CountKnown(b);
   if (off.empty()) return difference;
-  difference.offset_m = Median(off);
+  difference.offset_m = UpperMedian(off);
   // Of a median; neighbouring columns share beams, so no better than one column's over ten.
   constexpr double kIndependent = 100.0;
-  difference.offset_sd_m = std::sqrt(0.5 * std::numbers::pi) * Median(Known(compared.sigma_m)) /
+  difference.offset_sd_m = std::sqrt(0.5 * std::numbers::pi) *
+                           UpperMedian(Known(compared.sigma_m)) /
                            std::sqrt(std::min(static_cast<double>(off.size()), kIndependent));
   std::vector<double> left_m = compared.off_m, z = compared.off_m;
   for (std::size_t cell = 0; cell < left_m.size(); ++cell) {

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "limpet/core/statistics.hpp"
+
 namespace limpet {
 
 /// When samples came.
@@ -46,12 +48,9 @@ template <class Sample>
 [[nodiscard]] inline Differences DifferencesOf(std::vector<double> lengths) {
   if (lengths.empty()) return {};
   std::ranges::sort(lengths);
-  const auto quantile = [&lengths](double share) {
-    return lengths[static_cast<std::size_t>(share * static_cast<double>(lengths.size() - 1))];
-  };
   return {.count = lengths.size(),
-          .median = quantile(0.5),
-          .within_95 = quantile(0.95),
+          .median = QuantileOfSorted(lengths, 0.5),
+          .within_95 = QuantileOfSorted(lengths, 0.95),
           .greatest = lengths.back()};
 }
 

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "limpet/core/require.hpp"
+#include "limpet/core/statistics.hpp"
 
 namespace limpet {
 
@@ -79,16 +80,15 @@ std::string AssociationsCsv(const std::vector<ReplayAssociation>& associations) 
 
 std::string TimingJson(std::vector<double> updates_s, double total_s) {
   std::ranges::sort(updates_s);
-  const auto quantile = [&updates_s](double share) {
-    const auto last = static_cast<double>(updates_s.size()) - 1.0;
-    return updates_s.empty() ? 0.0 : 1e3 * updates_s[static_cast<std::size_t>(share * last)];
+  const auto quantile_ms = [&updates_s](double share) {
+    return 1e3 * QuantileOfSorted(updates_s, share);
   };
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return fmt::format(
       "{{\"updates\": {}, \"median_ms\": {:.4f}, \"p99_ms\": {:.4f}, \"max_ms\": {:.4f}, "
       "\"total_s\": {:.4f}, \"peak_rss_mb\": {:.1f}}}\n",
-      updates_s.size(), quantile(0.5), quantile(0.99), quantile(1.0), total_s,
+      updates_s.size(), quantile_ms(0.5), quantile_ms(0.99), quantile_ms(1.0), total_s,
       static_cast<double>(usage.ru_maxrss) / 1024.0);
 }
 

@@ -6,9 +6,11 @@
 #include <functional>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "limpet/app/warning_text.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/core/statistics.hpp"
 #include "limpet/scoring/scoring_warnings.hpp"
 #include "limpet/topics/chips.hpp"
 #include "limpet/topics/simulation.hpp"
@@ -229,9 +231,7 @@ double GridRecord::SeenFloor() const {
   std::vector<float> floors;
   EachSeen([&floors](int, int, const Cell& cell) { floors.push_back(cell.seen_floor); });
   if (floors.empty()) return 0.0;
-  const auto middle = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
-  std::ranges::nth_element(floors, middle);
-  return static_cast<double>(*middle);
+  return static_cast<double>(UpperMedian(std::move(floors)));
 }
 
 bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/core/statistics.hpp"
 #include "limpet/vision/image_mat.hpp"
 
 namespace limpet {
@@ -37,12 +39,6 @@ cv::Mat LinearOf(ImageView picture) {
   return linear;
 }
 
-double Median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return static_cast<double>(*middle);
-}
-
 /// Standard deviation of one pixel's noise in green, from what three neighbours differ by beyond a
 /// slope.
 double PixelNoise(const cv::Mat& linear) {
@@ -54,7 +50,7 @@ double PixelNoise(const cv::Mat& linear) {
           std::abs(pixels[column - 1][1] - 2.0F * pixels[column][1] + pixels[column + 1][1]));
     }
   }
-  return kSigmaOfMedian * Median(bends) / std::sqrt(6.0);
+  return kSigmaOfMedian * static_cast<double>(UpperMedian(std::move(bends))) / std::sqrt(6.0);
 }
 
 /// Robust spread over the mean of one channel, slower changes left out.
@@ -69,7 +65,8 @@ double SpreadOverMean(const cv::Mat& channel) {
       steps.push_back(std::abs(value - slow.at<float>(row, column)));
     }
   }
-  return kSigmaOfMedian * Median(steps) / std::max(Median(light), kDarkest);
+  const double step = UpperMedian(std::move(steps)), usual = UpperMedian(std::move(light));
+  return kSigmaOfMedian * step / std::max(usual, kDarkest);
 }
 
 }  // namespace
