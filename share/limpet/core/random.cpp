@@ -2,6 +2,7 @@
 #include "limpet/core/random.hpp"
 
 #include "limpet/core/require.hpp"
+#include "limpet/core/split_mix.hpp"
 
 namespace limpet {
 
@@ -10,10 +11,7 @@ std::uint64_t MixSeed(std::uint64_t seed, std::string_view name) {
   for (const char letter : name) {
     hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
   }
-  std::uint64_t mixed = hash + seed * 0x9e3779b97f4a7c15ULL;
-  mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebULL;
-  return mixed ^ (mixed >> 31U);
+  return SplitMixed(hash + seed * kGoldenStep);
 }
 
 Random::Random(std::uint64_t seed) : engine_(seed) {}

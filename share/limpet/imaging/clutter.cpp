@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limpet/core/split_mix.hpp"
+
 namespace limpet {
 namespace {
 
@@ -23,11 +25,8 @@ class CellDraws {
     static_cast<void>(Uniform());
   }
   double Uniform() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t x = state_;
-    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((x ^ (x >> 31U)) >> 11U) * 0x1p-53;
+    state_ += kGoldenStep;
+    return static_cast<double>(SplitMixed(state_) >> 11U) * 0x1p-53;
   }
   double Uniform(double low, double high) { return low + (high - low) * Uniform(); }
   template <class Choices>

@@ -6,6 +6,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/core/require.hpp"
+#include "limpet/core/split_mix.hpp"
 #include "limpet/vision/seabed_ray.hpp"
 #include "limpet/vision/sphere_painter.hpp"
 
@@ -17,12 +18,9 @@ constexpr std::size_t kNoiseLength = 1U << 16U;
 constexpr double kNoiseLevels = 2.2;  ///< 1-sigma of the sensor noise in 8-bit levels
 constexpr double kVignetteAtCorner = 0.22;
 
-/// The counter-based generator behind noise and specks (SplitMix64's finalizer).
+/// The counter-based generator behind noise and specks.
 std::uint64_t Hash(std::uint64_t counter) {
-  std::uint64_t x = counter * 0x9e3779b97f4a7c15ULL + 0x632be59bd9b4e019ULL;
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31U);
+  return SplitMixed(counter * kGoldenStep + 0x632be59bd9b4e019ULL);
 }
 
 /// Smooth noise in -1 .. 1 of a place, one random value per unit cell.
