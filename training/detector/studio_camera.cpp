@@ -10,6 +10,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "limpet/core/smooth_step.hpp"
+
 namespace limpet {
 namespace {
 
@@ -90,8 +92,7 @@ void Develop(cv::Mat3f& light, Random& random) {
     for (int c = 0; c < 3; ++c) {
       const float signal = std::pow(std::clamp(pixel[c] * gain[c], 0.0F, 1.0F), gamma);
       // An S around the middle.
-      const float curved = signal * signal * (3.0F - 2.0F * signal);
-      pixel[c] = signal + contrast * (curved - signal);
+      pixel[c] = signal + contrast * (SmoothStep(signal) - signal);
       grey += pixel[c] / 3.0F;
     }
     for (int c = 0; c < 3; ++c)

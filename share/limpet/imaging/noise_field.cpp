@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "limpet/core/require.hpp"
+#include "limpet/core/smooth_step.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr int kSide = SeabedGround::kSize;
-
-float Eased(float t) { return t * t * (3.0F - 2.0F * t); }
 
 }  // namespace
 
@@ -35,7 +34,7 @@ void NoiseField::Add(int cells, float weight, Form form, Random& random) {
     draw = static_cast<float>(random.Uniform(-1.0, 1.0));
   std::vector<float> ease;
   for (int i = 0; i < texels; ++i) {
-    ease.push_back(Eased(static_cast<float>(i) / static_cast<float>(texels)));
+    ease.push_back(SmoothStep(static_cast<float>(i) / static_cast<float>(texels)));
   }
   std::vector<float> nodes(static_cast<std::size_t>(cells) + 1);
   for (int row = 0; row < kSide; ++row) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "limpet/core/random.hpp"
+#include "limpet/core/smooth_step.hpp"
 #include "limpet/imaging/noise_field.hpp"
 
 namespace limpet {
@@ -20,8 +21,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 Color Between(const Color& a, const Color& b, float share) { return a + share * (b - a); }
 
 float Ramp(float x, float low, float high) {
-  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
+  return SmoothStep(std::clamp((x - low) / (high - low), 0.0F, 1.0F));
 }
 
 /// Share of the ground that a kind takes, 0 to 1: where slow noise is high, or one share all over.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "limpet/core/random.hpp"
+#include "limpet/core/smooth_step.hpp"
 
 namespace limpet {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::uint8_t> SignalCurve(double contrast) {
   for (int i = 0; i <= kWhite; ++i) {
     const double x = static_cast<double>(i) / kWhite;
     const double coded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-    const double curved = coded + contrast * (coded * coded * (3.0 - 2.0 * coded) - coded);
+    const double curved = coded + contrast * (SmoothStep(coded) - coded);
     curve[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(255.0 * curved));
   }
   return curve;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limpet/core/random.hpp"
+#include "limpet/core/smooth_step.hpp"
 
 namespace limpet {
 
@@ -27,8 +28,8 @@ class TileNoise {
     constexpr int kOffset = 1 << 16;
     const int column = static_cast<int>(x + kOffset) - kOffset;
     const int row = static_cast<int>(y + kOffset) - kOffset;
-    const float right = Eased(x - static_cast<float>(column));
-    const float low = Eased(y - static_cast<float>(row));
+    const float right = SmoothStep(x - static_cast<float>(column));
+    const float low = SmoothStep(y - static_cast<float>(row));
     const float above = Value(column, row) + right * (Value(column + 1, row) - Value(column, row));
     const float below =
         Value(column, row + 1) + right * (Value(column + 1, row + 1) - Value(column, row + 1));
@@ -36,7 +37,6 @@ class TileNoise {
   }
 
  private:
-  [[nodiscard]] static float Eased(float t) { return t * t * (3.0F - 2.0F * t); }
   [[nodiscard]] float Value(int column, int row) const {
     return values_[static_cast<std::size_t>((row & mask_) * (mask_ + 1) + (column & mask_))];
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "limpet/core/logistic.hpp"
+#include "limpet/core/smooth_step.hpp"
 
 namespace limpet {
 namespace {
@@ -13,15 +14,11 @@ namespace {
 constexpr double kSizeFallOff = 0.1;  ///< over the least size
 constexpr int kDiscPoints = 24;
 
-double SmoothStep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 /// Factor on the chance for an object of which `share` is inside the image.
 double InsideFactor(const DetectionModel& detector, double share) {
-  return SmoothStep((share - detector.share_none) /
-                    std::max(detector.share_full - detector.share_none, 1e-6));
+  const double way =
+      (share - detector.share_none) / std::max(detector.share_full - detector.share_none, 1e-6);
+  return SmoothStep(std::clamp(way, 0.0, 1.0));
 }
 
 /// Share of the contrast that reaches a camera `range` metres away in water of this visibility [m].

@@ -6,6 +6,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/core/require.hpp"
+#include "limpet/core/smooth_step.hpp"
 #include "limpet/core/split_mix.hpp"
 #include "limpet/vision/seabed_ray.hpp"
 #include "limpet/vision/sphere_painter.hpp"
@@ -34,10 +35,8 @@ float PatchNoise(double x, double y, std::uint64_t seed) {
                8388608.0F -
            1.0F;
   };
-  const auto tx = static_cast<float>(x - cell_x);
-  const auto ty = static_cast<float>(y - cell_y);
-  const float right = tx * tx * (3.0F - 2.0F * tx);
-  const float low = ty * ty * (3.0F - 2.0F * ty);
+  const float right = SmoothStep(static_cast<float>(x - cell_x));
+  const float low = SmoothStep(static_cast<float>(y - cell_y));
   return std::lerp(std::lerp(corner(0, 0), corner(1, 0), right),
                    std::lerp(corner(0, 1), corner(1, 1), right), low);
 }

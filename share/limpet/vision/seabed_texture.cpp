@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "limpet/core/random.hpp"
+#include "limpet/core/smooth_step.hpp"
 
 namespace limpet {
 namespace {
@@ -30,8 +31,7 @@ void AddNoise(Field& field, int cell, float amplitude, Random& random) {
     return values[static_cast<std::size_t>(index)];
   };
   const auto ease = [cell](int texel) {
-    const float t = static_cast<float>(texel & (cell - 1)) / static_cast<float>(cell);
-    return t * t * (3.0F - 2.0F * t);
+    return SmoothStep(static_cast<float>(texel & (cell - 1)) / static_cast<float>(cell));
   };
   for (int row = 0; row < kSize; ++row) {
     const float low = ease(row);
