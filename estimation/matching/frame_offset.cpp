@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "limpet/core/cross_product.hpp"
 #include "limpet/core/frames.hpp"
 
 namespace limpet {
@@ -37,7 +38,7 @@ void FrameOffset::Move(const Eigen::Vector4d& step) {
 }
 
 double TurnBetween(const Eigen::Vector2d& from_W, const Eigen::Vector2d& to_W) {
-  return std::atan2(from_W.x() * to_W.y() - from_W.y() * to_W.x(), from_W.dot(to_W));
+  return std::atan2(CrossOf(from_W, to_W), from_W.dot(to_W));
 }
 
 FrameOffset Together(const FrameOffset& first, const FrameOffset& second) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "limpet/core/cross_product.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -26,7 +27,7 @@ void MotionComparison::Add(double t, const Eigen::Vector2d& way, const Eigen::Ve
   now_ = Stretch{.from = t, .to = t};
   if (!(a.norm() >= params_.least) || !b.allFinite()) return;
   ratios_[count_++ % params_.stretches] =
-      Eigen::Vector2d(a.dot(b), a.x() * b.y() - a.y() * b.x()) / a.squaredNorm();
+      Eigen::Vector2d(a.dot(b), CrossOf(a, b)) / a.squaredNorm();
 }
 
 std::optional<MotionComparison::Ratio> MotionComparison::ratio() const {

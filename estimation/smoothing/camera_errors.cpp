@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "limpet/core/cross_product.hpp"
+
 namespace limpet {
 namespace {
 
@@ -14,15 +16,9 @@ Eigen::Matrix3d Exp(const Eigen::Vector3d& rotation) {
   return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
 }
 
-Eigen::Matrix3d CrossOf(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d S;
-  S << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return S;
-}
-
 /// Of Exp, for rotations of a few degrees: to third order.
 Eigen::Matrix3d RightJacobian(const Eigen::Vector3d& rotation) {
-  const Eigen::Matrix3d S = CrossOf(rotation);
+  const Eigen::Matrix3d S = CrossMatrixOf(rotation);
   return Eigen::Matrix3d::Identity() - 0.5 * S + S * S / 6.0;
 }
 
@@ -49,7 +45,7 @@ CameraErrorJacobians ErrorJacobiansOf(const CameraModel& camera, const CameraErr
   const Eigen::Vector3d from_body_B =
       from_camera_B - errors.lever_and_delay.z() * motion.v_B + camera.p_BC + LeverOf(errors);
   CameraErrorJacobians J;
-  J.J_tilt = R_CM * CrossOf(from_camera_B) * RightJacobian(-errors.tilt_B);
+  J.J_tilt = R_CM * CrossMatrixOf(from_camera_B) * RightJacobian(-errors.tilt_B);
   J.J_shift.leftCols<2>() = -R_CM.leftCols<2>();
   J.J_shift.col(2) = R_CM * (motion.omega_B.cross(from_body_B) + motion.v_B);
   return J;

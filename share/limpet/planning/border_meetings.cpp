@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/core/cross_product.hpp"
+
 namespace limpet {
 namespace {
 
@@ -45,12 +47,12 @@ class Meetings {
     const PlanePoint way = side.to - side.from;
     const double side_length = way.norm();
     if (is_straight_) {
-      const double cross = along_.x() * way.y() - along_.y() * way.x();
+      const double cross = CrossOf(along_, way);
       if (std::abs(cross) <= 1e-12 * side_length) return;
       const PlanePoint to_side = side.from - from_;
-      const double on_side = (along_.y() * to_side.x() - along_.x() * to_side.y()) / cross;
+      const double on_side = CrossOf(to_side, along_) / cross;
       if (on_side >= 0.0 && on_side <= 1.0) {
-        Add((to_side.x() * way.y() - to_side.y() * way.x()) / cross);
+        Add(CrossOf(to_side, way) / cross);
       }
       return;
     }

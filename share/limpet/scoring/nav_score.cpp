@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "limpet/core/cross_product.hpp"
 #include "limpet/topics/survey_phase.hpp"
 
 namespace limpet {
@@ -30,7 +31,7 @@ CommonOffset Align(const std::vector<PosePair>& pairs) {
     const Eigen::Vector3d a = pair.estimate - offset.pivot_W;
     const Eigen::Vector3d b = pair.truth - offset.target_W;
     cosine += a.x() * b.x() + a.y() * b.y();
-    sine += a.x() * b.y() - a.y() * b.x();
+    sine += CrossOf(a.head<2>(), b.head<2>());
   }
   offset.yaw = std::atan2(sine, cosine);
   return offset;

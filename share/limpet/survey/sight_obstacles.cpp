@@ -4,23 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "limpet/survey/port_side.hpp"
+
 namespace limpet {
-namespace {
-
-/// Positive if `b` is to the left of `a`, with north up and east to the right.
-double LeftOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.y() * b.x() - a.x() * b.y();
-}
-
-}  // namespace
 
 bool Shadows::Hide(const Eigen::Vector3d& place_W) const {
   for (const Shadow& shadow : shadows_) {
     const Eigen::Vector2d to = place_W.head<2>() - eye_W_.head<2>();
-    if (LeftOf(shadow.right, to) < 0.0 || LeftOf(to, shadow.left) < 0.0) continue;
+    if (CrossToPort(shadow.right, to) < 0.0 || CrossToPort(to, shadow.left) < 0.0) continue;
     const Eigen::Vector2d side = shadow.left - shadow.right;
     // The eye is on the left of the way from the right side to the left one.
-    const double from_eye = LeftOf(side, -shadow.right), beyond = -LeftOf(side, to - shadow.right);
+    const double from_eye = CrossToPort(side, -shadow.right),
+                 beyond = -CrossToPort(side, to - shadow.right);
     if (!(from_eye > 0.0) || beyond < 0.0) continue;
     const double share = from_eye / (from_eye + beyond);  // of the ray, where it meets that line
     if (eye_W_.z() + share * (place_W.z() - eye_W_.z()) >= shadow.top) return true;
@@ -51,7 +46,7 @@ Shadows SightObstacles::From(const Eigen::Vector3d& eye_W, double reach) const {
     Shadows::Shadow shadow{.right = ahead, .left = ahead, .top = body.top};
     for (const PlanePoint& corner : body.outline.corners()) {
       const Eigen::Vector2d to = corner - eye;
-      const double angle = std::atan2(LeftOf(ahead, to), ahead.dot(to));
+      const double angle = std::atan2(CrossToPort(ahead, to), ahead.dot(to));
       if (angle < right) right = angle, shadow.right = to;
       if (angle > left) left = angle, shadow.left = to;
     }

@@ -8,20 +8,19 @@
 
 #include <fmt/format.h>
 
+#include "limpet/survey/port_side.hpp"
+
 namespace limpet {
 namespace {
 
 constexpr double kSamePlace = 1e-6;  // [m]
-
-/// z of the cross product with x to the east and y to the north: positive where b lies to port.
-double CrossOf(const PlanePoint& a, const PlanePoint& b) { return a.y() * b.x() - a.x() * b.y(); }
 
 /// Twice the area, positive if the corners go counter-clockwise.
 double TwiceArea(const std::vector<PlanePoint>& corners) {
   double sum = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const PlanePoint& next = corners[i + 1 < corners.size() ? i + 1 : 0];
-    sum += CrossOf(corners[i] - corners.front(), next - corners.front());
+    sum += CrossToPort(corners[i] - corners.front(), next - corners.front());
   }
   return sum;
 }
@@ -55,7 +54,8 @@ std::optional<std::string> Crossing(const SimplePolygon& polygon) {
       const PlanePoint& shared = k == i + 1 ? a.to : a.from;
       const PlanePoint first = (k == i + 1 ? a.from : a.to) - shared;
       const PlanePoint second = (k == i + 1 ? b.to : b.from) - shared;
-      const bool is_spike = std::abs(CrossOf(first, second)) <= kSamePlace && first.dot(second) > 0;
+      const bool is_spike =
+          std::abs(CrossToPort(first, second)) <= kSamePlace && first.dot(second) > 0;
       if (is_spike) {
         return fmt::format("turns back on itself at {}", PlaceText(shared));
       }
@@ -75,10 +75,10 @@ PlanePoint PlaneEdge::Nearest(const PlanePoint& at) const {
 
 std::optional<PlanePoint> Meeting(const PlaneEdge& a, const PlaneEdge& b) {
   const PlanePoint along_a = a.to - a.from, along_b = b.to - b.from;
-  const double cross = CrossOf(along_a, along_b);
+  const double cross = CrossToPort(along_a, along_b);
   if (std::abs(cross) > 1e-12 * along_a.norm() * along_b.norm()) {
-    const double on_a = CrossOf(b.from - a.from, along_b) / cross;
-    const double on_b = CrossOf(b.from - a.from, along_a) / cross;
+    const double on_a = CrossToPort(b.from - a.from, along_b) / cross;
+    const double on_b = CrossToPort(b.from - a.from, along_a) / cross;
     const bool is_on_both = on_a >= 0.0 && on_a <= 1.0 && on_b >= 0.0 && on_b <= 1.0;
     if (is_on_both) {
       return PlanePoint(a.from + on_a * along_a);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "limpet/core/cross_product.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
@@ -12,14 +13,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d Skew(const Vector3d& v) {
-  Matrix3d S;
-  S << 0.0, -v.z(), v.y(),  //
-      v.z(), 0.0, -v.x(),   //
-      -v.y(), v.x(), 0.0;
-  return S;
-}
 
 /// Moments of inertia of a solid ellipsoid of half axes `half` per unit of mass.
 Vector3d EllipsoidInertia(const Vector3d& half) {
@@ -29,7 +22,7 @@ Vector3d EllipsoidInertia(const Vector3d& half) {
 
 /// Rigid-body inertia about the body origin (Fossen 2011 eq. 3.44), centre of gravity below it.
 Matrix6 RigidBodyMass(const VehicleParams& params, const Vector3d& inertia) {
-  const Matrix3d lever = params.mass * Skew({0.0, 0.0, params.cg_below_cb_m});
+  const Matrix3d lever = params.mass * CrossMatrixOf({0.0, 0.0, params.cg_below_cb_m});
   Matrix6 M = Matrix6::Zero();
   M.topLeftCorner<3, 3>() = params.mass * Matrix3d::Identity();
   M.topRightCorner<3, 3>() = -lever;

@@ -4,15 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "limpet/waypoints/left_of.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 
 namespace limpet {
 namespace {
-
-/// Twice the area of the triangle, positive if a, b, c turn counter-clockwise on the map.
-double Turn(const MapPoint& a, const MapPoint& b, const MapPoint& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 const MapPoint& Next(const std::vector<MapPoint>& corners, std::size_t i) {
   return corners[(i + 1) % corners.size()];
@@ -27,7 +23,7 @@ std::optional<ConvexPolygon> ConvexPolygon::Of(std::vector<MapPoint> corners) {
   }
   double area = 0.0;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    area += 0.5 * Turn(corners[0], corners[i], corners[i + 1]);
+    area += 0.5 * LeftOf(corners[0], corners[i], corners[i + 1]);
   }
   if (area == 0.0) {
     return std::nullopt;
@@ -38,7 +34,7 @@ std::optional<ConvexPolygon> ConvexPolygon::Of(std::vector<MapPoint> corners) {
   for (const MapPoint& corner : corners) {  // of a star, some corner lies beyond some edge
     for (std::size_t i = 0; i < corners.size(); ++i) {
       constexpr double kRounding = 1e-6;  // [m^2]
-      if (Turn(corners[i], Next(corners, i), corner) > kRounding) {
+      if (LeftOf(corners[i], Next(corners, i), corner) > kRounding) {
         return std::nullopt;
       }
     }
@@ -48,7 +44,7 @@ std::optional<ConvexPolygon> ConvexPolygon::Of(std::vector<MapPoint> corners) {
 
 bool ConvexPolygon::Contains(const MapPoint& at) const {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
-    if (Turn(corners_[i], Next(corners_, i), at) > 0.0) {
+    if (LeftOf(corners_[i], Next(corners_, i), at) > 0.0) {
       return false;
     }
   }
@@ -109,7 +105,7 @@ void ConvexPolygon::Grow(double distance) {
 bool ConvexPolygon::Shows(std::size_t corner, const MapPoint& from) const {
   const MapPoint& here = corners_[corner];
   const MapPoint& before = corners_[(corner + corners_.size() - 1) % corners_.size()];
-  return Turn(before, here, from) > 0.0 || Turn(here, Next(corners_, corner), from) > 0.0;
+  return LeftOf(before, here, from) > 0.0 || LeftOf(here, Next(corners_, corner), from) > 0.0;
 }
 
 }  // namespace limpet

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "limpet/core/cross_product.hpp"
+#include "limpet/waypoints/left_of.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 
 namespace limpet {
@@ -21,15 +23,15 @@ struct Crossing {
 std::optional<Crossing> CrossingOf(const ConvexPolygon& polygon, const MapPoint& from,
                                    double bearing) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const double step_x = std::sin(bearing), step_y = std::cos(bearing);
+  const Eigen::Vector2d step(std::sin(bearing), std::cos(bearing));  // east, north
   Crossing crossing{.first = -kFar, .last = kFar};
   const std::vector<MapPoint>& corners = polygon.corners();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const MapPoint& a = corners[i];
     const MapPoint& b = corners[(i + 1) % corners.size()];
     // Corners are clockwise: what is inside lies to the right of each edge.
-    const double beyond = (b.x - a.x) * (from.y - a.y) - (b.y - a.y) * (from.x - a.x);
-    const double rate = (b.x - a.x) * step_y - (b.y - a.y) * step_x;
+    const double beyond = LeftOf(a, b, from);
+    const double rate = CrossOf({b.x - a.x, b.y - a.y}, step);
     if (rate == 0.0) {
       if (beyond > 0.0) return std::nullopt;
     } else if (rate < 0.0) {

@@ -3,15 +3,11 @@
 
 #include <algorithm>
 
+#include "limpet/waypoints/left_of.hpp"
 #include "limpet/waypoints/map_geometry.hpp"
 
 namespace limpet {
 namespace {
-
-/// Above 0 where `at` lies to the left of the line from `a` to `b`.
-double LeftOf(const MapPoint& a, const MapPoint& b, const MapPoint& at) {
-  return (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
-}
 
 /// True if two pieces of a track meet.
 bool Meet(const MapLeg& one, const MapLeg& other) {
