@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/core/four_decimals.hpp"
 #include "limpet/core/require.hpp"
 
 namespace limpet {
 namespace {
 
 constexpr double kCompared = 5.0;  // [s] a shift changes slowly along the track
-
-double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 }  // namespace
 
@@ -36,8 +35,8 @@ std::optional<TrackShift> TrackWatch::Compare(const std::vector<SmoothedPose>& t
     if (is_end || shift.steps.empty() || track[i].t - shift.steps.back()[0] >= kCompared) {
       const Eigen::Vector3d moved = track[i].X_WB.p_WB - told_[i].p_WB;
       const double turned = WrapAngle(track[i].X_WB.yaw - told_[i].yaw);
-      shift.steps.push_back({track[i].t, Rounded(moved.x()), Rounded(moved.y()), Rounded(moved.z()),
-                             Rounded(turned)});
+      shift.steps.push_back({track[i].t, ToFourDecimals(moved.x()), ToFourDecimals(moved.y()),
+                             ToFourDecimals(moved.z()), ToFourDecimals(turned)});
     }
     told_[i] = track[i].X_WB;
   }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limpet/core/four_decimals.hpp"
 #include "limpet/report/paper_tables.hpp"
 
 namespace limpet {
@@ -10,7 +11,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson FourDigits(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
+OrderedJson FourDigits(double value) { return ToFourDecimals(value) + 0.0; }
 
 OrderedJson ToJson(const Statistic& statistic) {
   const bool has_samples = statistic.count() > 0;

@@ -10,6 +10,7 @@
 
 #include "limpet/app/warning_text.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/core/four_decimals.hpp"
 #include "limpet/core/statistics.hpp"
 #include "limpet/scoring/scoring_warnings.hpp"
 #include "limpet/topics/chips.hpp"
@@ -23,7 +24,7 @@ namespace {
 // The log keeps five decimals of a stamp; rounding here makes a live record equal to a replayed
 // one.
 Seconds LoggedStamp(const Message& message) {
-  return Seconds(std::round(message.time.value() * 1e4) / 1e4);
+  return Seconds(ToFourDecimals(message.time.value()));
 }
 
 template <class T>

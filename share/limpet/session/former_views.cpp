@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/config.hpp"
+#include "limpet/core/four_decimals.hpp"
 #include "limpet/core/frames.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/topics/survey_phase.hpp"
@@ -18,8 +19,6 @@ namespace {
 constexpr double kViewDistance = 0.5;  ///< looks from nearer, or turned less, tell little more [m]
 constexpr double kViewTurn = 0.26;     ///< [rad]
 constexpr std::string_view kPhasesHeader = "first_sight,phase";
-
-double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 /// A frame that may go on, and the last altitude heard until then.
 struct View {
@@ -62,11 +61,11 @@ void AddView(const View& view, Seconds start, const std::vector<int>& landmarks,
   const Pose& pose = frame.X_WB;
   FormerView former{
       .frame = {.frame = frame.frame,
-                .exposure = Seconds(Rounded((frame.exposure - start).value())),
-                .X_WB = {pose.p_WB.unaryExpr(&Rounded), Rounded(pose.roll), Rounded(pose.pitch),
-                         Rounded(pose.yaw)},
-                .altitude = Rounded(view.altitude)},
-      .altitude_age = Seconds(Rounded((frame.exposure - view.altitude_time).value()))};
+                .exposure = Seconds(ToFourDecimals((frame.exposure - start).value())),
+                .X_WB = {pose.p_WB.unaryExpr(&ToFourDecimals), ToFourDecimals(pose.roll),
+                         ToFourDecimals(pose.pitch), ToFourDecimals(pose.yaw)},
+                .altitude = ToFourDecimals(view.altitude)},
+      .altitude_age = Seconds(ToFourDecimals((frame.exposure - view.altitude_time).value()))};
   for (const Box& box : frame.boxes) {
     if (IsListed(box, landmarks)) continue;
     former.frame.boxes.push_back(box);
