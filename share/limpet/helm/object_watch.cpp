@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/topics/grid_place.hpp"
+
 namespace limpet {
 namespace {
 
 std::optional<double> SeabedAt(const SurveyGrid& grid, double north, double east) {
-  const GridFrame& frame = grid.frame();
-  const double row = std::floor((north - frame.north_min) / frame.cell_m);
-  const double column = std::floor((east - frame.east_min) / frame.cell_m);
-  const bool is_inside = row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
-  return is_inside ? grid.Seabed(static_cast<int>(row), static_cast<int>(column)) : std::nullopt;
+  const std::optional<GridPlace> place = GridPlaceOf(grid.frame(), north, east);
+  return place ? grid.Seabed(place->row, place->column) : std::nullopt;
 }
 
 }  // namespace

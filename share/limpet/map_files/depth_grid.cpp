@@ -7,6 +7,7 @@
 
 #include "estimation/mapping/map_export.hpp"
 #include "estimation/mapping/saved_map.hpp"
+#include "limpet/topics/grid_place.hpp"
 
 namespace limpet {
 namespace {
@@ -76,12 +77,9 @@ constexpr double kTooManyCells = 6e8;
 }  // namespace
 
 std::optional<std::size_t> DepthGrid::At(double north, double east) const {
-  if (frame.rows == 0) return std::nullopt;
-  const double row = std::floor((north - frame.north_min) / frame.cell_m);
-  const double column = std::floor((east - frame.east_min) / frame.cell_m);
-  const bool is_inside = row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
-  if (!is_inside) return std::nullopt;
-  const std::size_t cell = Index(static_cast<int>(row), static_cast<int>(column));
+  const std::optional<GridPlace> place = GridPlaceOf(frame, north, east);
+  if (!place) return std::nullopt;
+  const std::size_t cell = Index(place->row, place->column);
   return IsKnown(cell) ? std::optional(cell) : std::nullopt;
 }
 

@@ -14,6 +14,7 @@
 #include "limpet/core/statistics.hpp"
 #include "limpet/scoring/scoring_warnings.hpp"
 #include "limpet/topics/chips.hpp"
+#include "limpet/topics/grid_place.hpp"
 #include "limpet/topics/simulation.hpp"
 #include "limpet/topics/surface_fix.hpp"
 #include "limpet/topics/survey_phase.hpp"
@@ -236,12 +237,9 @@ double GridRecord::SeenFloor() const {
 }
 
 bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {
-  const double row = std::floor((p_W.x() - frame.north_min) / frame.cell_m);
-  const double column = std::floor((p_W.y() - frame.east_min) / frame.cell_m);
-  if (!(row >= 0.0 && row < frame.rows) || !(column >= 0.0 && column < frame.columns)) {
-    return false;
-  }
-  const Cell& cell = cells.At(static_cast<int>(row), static_cast<int>(column));
+  const std::optional<GridPlace> place = GridPlaceOf(frame, p_W.x(), p_W.y());
+  if (!place) return false;
+  const Cell& cell = cells.At(place->row, place->column);
   const double height = static_cast<double>(cell.seabed_down) - p_W.z();
   return cell.is_in_sight() && height >= static_cast<double>(cell.seen_floor) &&
          height <= static_cast<double>(cell.seen_height);
