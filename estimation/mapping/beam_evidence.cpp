@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/mapping/cell_hash.hpp"
+
 namespace limpet {
 namespace {
 
@@ -30,10 +32,7 @@ float OccupiedLogOdds(const VoxelCounts& counts, float before) {
 }
 
 std::size_t BeamEvidence::TileHash::operator()(const TileKey& key) const {
-  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;
-  const std::uint64_t both = std::uint64_t{static_cast<std::uint32_t>(key.north)} << 32U |
-                             static_cast<std::uint32_t>(key.east);
-  return static_cast<std::size_t>((both * kSpread) ^ (both * kSpread >> 31U));
+  return CellHash(key.north, key.east);
 }
 
 bool BeamEvidence::Holds(const Eigen::Vector3d& p_W) const {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "estimation/mapping/cell_hash.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/core/record.hpp"
@@ -63,12 +64,7 @@ bool IsSound(const std::array<std::int64_t, 5>& row) {
 
 }  // namespace
 
-std::size_t DepthMap::KeyHash::operator()(const Key& key) const {
-  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;
-  const std::uint64_t both =
-      std::uint64_t{static_cast<std::uint32_t>(key[0])} << 32U | static_cast<std::uint32_t>(key[1]);
-  return static_cast<std::size_t>((both * kSpread) ^ (both * kSpread >> 31U));
-}
+std::size_t DepthMap::KeyHash::operator()(const Key& key) const { return CellHash(key[0], key[1]); }
 
 double DepthMap::Sums::scatter() const {
   const auto sum = static_cast<long double>(down_mm);
