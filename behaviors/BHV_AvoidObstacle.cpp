@@ -325,7 +325,7 @@ std::optional<std::string> BHV_AvoidObstacle::Macro(std::string_view name,
 
 LIMPET_REGISTER_BEHAVIOR(BHV_AvoidObstacle);
 
-/// As missions of MOOS-IvP call it, by their age.
+/// Names under which missions of MOOS-IvP know this behavior, by their age.
 using BHV_AvoidObstacleV24 = BHV_AvoidObstacle;
 LIMPET_REGISTER_BEHAVIOR(BHV_AvoidObstacleV24);
 using BHV_AvoidObstacleV21 = BHV_AvoidObstacle;

@@ -71,7 +71,7 @@ class BHV_AvoidObstacle final : public Behavior {
   };
 
   [[nodiscard]] double Range(const VehicleState& state) const;
-  /// From 0 at the outer distance to 1 at the inner one.
+  /// How near the obstacle is: from 0 at the outer distance to 1 at the inner one.
   [[nodiscard]] double Nearness(double range) const;
   /// Bearing of the obstacle's middle from the bow, to starboard [rad].
   [[nodiscard]] double Off(const VehicleState& state, double course) const;

@@ -74,7 +74,7 @@ class BHV_LegRun final : public Behavior {
     std::string told_mode{};
   };
 
-  /// From where the vehicle is, anew.
+  /// Begins the run anew, from where the vehicle is.
   void Begin(const MapPoint& at);
   void Advance(const VehicleState& state, ActList& acts);
   void AdvanceLeg(const VehicleState& state, ActList& acts);

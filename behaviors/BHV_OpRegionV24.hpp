@@ -57,7 +57,7 @@ class BHV_OpRegionV24 final : public Behavior {
   [[nodiscard]] std::vector<BehaviorAct> Stop(const VehicleState& state) override;
 
  private:
-  /// Since the helm began, or since it was reset.
+  /// What the behavior has noticed since the helm began, or since it was reset.
   struct Watch {
     std::optional<Seconds> began;
     std::optional<Seconds> entered_halt, left_halt, left_save;

@@ -82,13 +82,13 @@ class BHV_Waypoint final : public Behavior {
   void TakeStart(const VehicleState& state);
   [[nodiscard]] MapPoint SteeringPoint(const VehicleState& state);
   [[nodiscard]] double Speed(const MapPoint& at) const;
-  /// For the way to `bearing`, as fast as the way's end allows.
+  /// Bids for the way to `bearing` [rad], as fast as the way's end allows.
   void Bid(double bearing, const VehicleState& state, MotionBid& bid);
   void BidOnCourse(double bearing, const VehicleState& state, MotionBid& bid) const;
   void BidOnSpeed(double speed, const VehicleState& state, MotionBid& bid);
   void PostProgress(WaypointProgress::Step step, const VehicleState& state, ActList& acts);
   void PostStatus(const VehicleState& state, ActList& acts);
-  /// Of the leg that has just ended, if it counts.
+  /// Posts how directly the leg was travelled that has just ended, if it counts.
   void PostEfficiency(const VehicleState& state, ActList& acts);
   [[nodiscard]] double CruiseSpeed() const;
   [[nodiscard]] WayDrawing Drawing(const VehicleState& state) const;

@@ -18,7 +18,7 @@
 namespace limpet {
 namespace {
 
-/// From the vehicle along a heading.
+/// The line drawn from the vehicle along a heading.
 DrawnText HeadingLine(const std::string& label, const MapLeg& line, const std::string& color,
                       bool is_active) {
   return DrawnTextOf({.label = label,

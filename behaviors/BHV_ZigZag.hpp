@@ -46,7 +46,7 @@ class BHV_ZigZag final : public Behavior {
 
  private:
   enum class Side { kStem, kPort, kStarboard };
-  /// From when it begins to run.
+  /// State of one zigzag, from when it begins to run.
   struct Run {
     Side side = Side::kStem;
     double stem = 0.0;                  ///< heading [rad]

@@ -113,7 +113,7 @@ void DetectApp::Report(ReportLines& report) const {
 
 namespace {
 
-/// As LIMPET_REGISTER_APP, with the keys of the detector that a block names.
+/// Registers as LIMPET_REGISTER_APP does, with the keys of the detector that a block names.
 const bool is_registered = [] {
   AppRegistry()["pDetect"] = {.default_tick_hz = 4.0,
                               .describe =

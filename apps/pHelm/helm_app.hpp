@@ -79,7 +79,7 @@ class HelmApp final : public App {
   void OnLook(const Stamped<MapLook>& look) { planner_.survey().SetLookModel(look.value); }
 
   void HearSurvey();
-  /// To every variable that the behaviors want by now.
+  /// Subscribes to every variable that the behaviors want by now.
   void SubscribeForBehaviors();
   void PostInitialValues();
   /// Once, as the first decision of a helm whose process was replaced is due.

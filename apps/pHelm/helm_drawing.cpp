@@ -46,7 +46,7 @@ void HelmDrawing::DrawShape(const SurveyShape& shape) {
   }
 }
 
-/// As a closed line: viewers refuse polygons that are not convex.
+/// Draws a polygon as a closed line: viewers refuse polygons that are not convex.
 void HelmDrawing::DrawRing(const std::string& what, const SimplePolygon& polygon,
                            const std::string& color) {
   SeglistShape ring;

@@ -48,7 +48,7 @@ class HelmJournal {
   void PostUpdateResults(std::span<const std::string> results);
   /// What behaviors hear and post, and where they take updates, if that is new.
   void PostVariables(const BehaviorHost& host);
-  /// Of the functions in BHV_IPF, if their number is new.
+  /// Posts the number of functions in BHV_IPF, if it is new.
   void PostPieces(int pieces);
   /// The next summary is a whole one.
   void Rejournal() { summary_.clear(); }

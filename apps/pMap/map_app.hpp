@@ -66,7 +66,7 @@ class MapApp final : public App {
   void OnTilesRequest(const Stamped<std::string>& request);
   /// Goes on telling the map, as far as `most` tiles go; which those were, once it has been told.
   void TellMap(int most);
-  /// By what looks are planned: the camera, and the water as it was last told.
+  /// Publishes what looks are planned by: the camera, and the water as it was last told.
   void TellHowItLooks();
   [[nodiscard]] DetectionModel PlannedDetection() const;
   [[nodiscard]] LookModel PlannedLook() const;

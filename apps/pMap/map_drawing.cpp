@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kStep = 0.1;  ///< [m] that an object must move, or its sigma change, to be redrawn
 
-/// Along the longer axis of the horizontal ellipse.
+/// 1-sigma of an object's place along the longer axis of its horizontal ellipse [m].
 double HorizontalSigma(const OpiBelief& belief) {
   const Eigen::Matrix3d& S = belief.object.cov_W;
   const double nn = S(0, 0), ne = S(0, 1), ee = S(1, 1);

@@ -38,7 +38,7 @@ class MapTeller {
   SemanticMap& map_;
   GroundLooks& looks_;
   std::set<TileKey> due_;
-  /// Of tiles' octrees as they were told: packing them takes far longer than this.
+  /// Checksums of tiles' octrees as they were told: packing them takes far longer than this.
   std::map<TileKey, std::string> checksums_;
   MapTileTable table_;
 };

@@ -362,7 +362,7 @@ void NavApp::OnSonar(const Stamped<SonarPing>& ping) {
 
 namespace {
 
-/// As LIMPET_REGISTER_APP, with the keys of the sources that a block names.
+/// Registers as LIMPET_REGISTER_APP does, with the keys of the sources that a block names.
 const bool is_registered = [] {
   AppEntry entry = MakeAppEntry<NavApp>(10.0);
   entry.create = CreateNavApp;

@@ -17,7 +17,7 @@ class RefusalWatch {
     all_ = kept * all_ + 1.0;
     refused_ = kept * refused_ + (is_refused ? 1.0 : 0.0);
   }
-  /// As NAV_STATE says it, to the thousandth.
+  /// Share of samples refused, to the thousandth, as NAV_STATE says it.
   [[nodiscard]] double share() const { return std::round(1e3 * refused_ / all_) / 1e3; }
 
  private:

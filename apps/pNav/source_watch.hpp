@@ -25,7 +25,7 @@ class SourceWatch {
     return last_ && now - *last_ <= longest.value();
   }
   [[nodiscard]] bool was_heard() const { return last_.has_value(); }
-  /// As NAV_STATE says it, to the millisecond.
+  /// State of the source at `now`, its age to the millisecond, as NAV_STATE says it.
   [[nodiscard]] NavSource At(double now, Seconds longest) const {
     const std::optional<double> age = Age(now);
     return {.age = age ? std::optional<double>(std::round(1e3 * *age) / 1e3) : std::nullopt,

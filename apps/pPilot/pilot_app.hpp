@@ -77,7 +77,7 @@ class PilotApp final : public App {
     kHolding,   ///< SAFETY_ACTION hold
     kSurfacing  ///< SAFETY_ACTION surface or abort
   };
-  /// Where hold began.
+  /// Heading and depth that the vehicle had where hold began.
   struct HeldPlace {
     double yaw = 0.0, depth = 0.0;
   };
@@ -103,7 +103,7 @@ class PilotApp final : public App {
   [[nodiscard]] Mode Judge(Seconds now) const;
   void WarnOf(Mode mode);
   [[nodiscard]] DesiredMotion Desired(Seconds now) const;
-  /// By the control laws, in the mode that there is.
+  /// Commands the thrusters by the control laws, in the present mode.
   void Fly(Seconds now);
   [[nodiscard]] ThrusterCommand Control(Seconds now, double dt);
   [[nodiscard]] bool IsControlled(Seconds now) const;

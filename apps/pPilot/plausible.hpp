@@ -7,7 +7,7 @@
 
 namespace limpet {
 
-/// Of a number that must lie within [low, high]; NaN does not.
+/// Range [low, high] that a number must lie within; NaN does not.
 struct PlausibleRange {
   double low = 0.0, high = 0.0;
   [[nodiscard]] bool Has(double value) const { return value >= low && value <= high; }

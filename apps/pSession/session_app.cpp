@@ -40,7 +40,7 @@ std::size_t BytesOf(const SessionFiles& files) {
   return sum;
 }
 
-/// Of a former session's map; one that was saved as a whole is cut up.
+/// Tiles of a former session's map; one that was saved as a whole is cut up.
 Expected<std::vector<MapTile>> TilesOfMap(const SessionMap& map) {
   std::vector<MapTile> tiles;
   for (const auto& [file, bytes] : map) {

@@ -104,7 +104,7 @@ class SessionApp final : public App {
   };
   std::optional<Former> former_;  ///< for the report
   bool is_folder_ours_ = true;    ///< nothing of another life is in it
-  /// Of the cut life that it brings to its end, as that saved them last.
+  /// Facts of the cut life that this one brings to its end, as that life saved them last.
   std::optional<SessionFacts> cut_facts_;
   int generation_ = 0;  ///< last one on disk
   std::string last_cause_;

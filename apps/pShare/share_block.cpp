@@ -41,7 +41,8 @@ std::vector<ConfigProblem> CheckShareBlock(const ConfigBlock& block) {
 
 namespace {
 
-/// As LIMPET_REGISTER_APP, with a check that reads the lines too, and MOOS's switches.
+/// Registers as LIMPET_REGISTER_APP does, with a check that reads the lines too, and MOOS's
+/// switches.
 const bool is_registered = [] {
   AppEntry entry = MakeAppEntry<ShareApp>(4.0);
   entry.check = CheckShareBlock;

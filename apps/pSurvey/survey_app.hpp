@@ -79,7 +79,7 @@ class SurveyApp final : public App {
   void SetArea(SurveyArea area);
   /// The area of the former life, as a record in braces.
   void RecallArea(const std::string& kept);
-  /// Only of a vehicle whose file has a battery.
+  /// Makes the estimate of energy, if the vehicle's file has a battery.
   void MakeEnergyEstimate();
   void PublishArea();
   void Remember();

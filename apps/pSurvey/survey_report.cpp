@@ -8,7 +8,8 @@
 
 namespace limpet {
 
-/// From the mean rate of coverage so far. The last few percent take longer than that says.
+/// Time to the target by the mean rate of coverage so far. The last few percent take longer than
+/// that says.
 std::optional<Seconds> SurveyApp::TimeToTarget() const {
   const double seconds = (now() - phase_since_).value();
   const double share = CoveredShare(coverage_);

@@ -9,7 +9,7 @@ namespace {
 
 /// Nearer by less is no progress: a vehicle that a current holds sways [m].
 constexpr double kProgressStepM = 1.0;
-/// Of a vehicle as any: it is asked how far it has come, not how it turns.
+/// Turn radius of a vehicle like any: it is asked how far it has come, not how it turns.
 constexpr Meters kTurn(3.0);
 
 }  // namespace

@@ -33,7 +33,7 @@ class SimSensorsApp final : public App {
   };
 
   SimSensorsApp(const AppContext& context, const Params& params);
-  /// With a scenario made in code.
+  /// The app with a scenario made in code, in place of the mission's file.
   SimSensorsApp(const AppContext& context, const Scenario& scenario);
   void Report(ReportLines& report) const override;
 

@@ -32,7 +32,7 @@ VehicleSimulation::Place StartOf(const Scenario& scenario) {
           .down = std::nullopt};
 }
 
-/// As the vehicle truly is: its thrusters are not quite those of its file.
+/// The vehicle as it truly is: its thrusters are not quite those of its file.
 VehicleParams WithErrors(VehicleParams vehicle, const ThrusterErrorParams& error) {
   vehicle.thrusters.max_thrust_n *= error.thrust_factor;
   vehicle.thrusters.lag_s *= error.lag_factor;

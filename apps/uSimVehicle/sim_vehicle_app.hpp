@@ -38,14 +38,14 @@ class SimVehicleApp final : public App {
   };
 
   SimVehicleApp(const AppContext& context, const Params& params);
-  /// With a scenario made in code.
+  /// The app with a scenario made in code, in place of the mission's file.
   SimVehicleApp(const AppContext& context, const Params& params, const Scenario& scenario);
   void Tick(Seconds now) override;
   void Report(ReportLines& report) const override;
 
  private:
   void OnCommand(const Stamped<ThrusterCommand>& command);
-  /// Of a community: faults of the scenario that nobody makes there.
+  /// Warns, in a community, of faults of the scenario that nobody makes there.
   void WarnOfFaultsNotMade();
   void OnFormerTruth(const Stamped<SimTruth>& truth);
   void OnFormerBattery(const Stamped<SimBattery>& battery);

@@ -32,8 +32,8 @@ double ShownEdge(const CameraModel& camera, const Eigen::Vector3d& p_C, double r
   return edge ? edge->px : of_whole;
 }
 
-/// Of a box, whose extent along that axis is given, from the sphere it may show; nothing if both
-/// edges are cut, which tells nothing.
+/// Offset of a box, whose extent along that axis is given, from the sphere it may show; nothing if
+/// both edges are cut, which tells nothing.
 std::optional<AxisOffset> OffsetAlong(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                       double radius, const ReadDetection& seen, int axis) {
   const BoxExtent box = axis == 0 ? ExtentAcross(seen.box, camera) : ExtentAlong(seen.box, camera);
@@ -65,7 +65,7 @@ double WorstSigma(const Eigen::Matrix2d& S) {
   return std::sqrt(mean + std::sqrt(half * half + S(0, 1) * S(0, 1)));
 }
 
-/// Of an object from the camera, with 1-sigma [m].
+/// Distance of an object from the camera, with 1-sigma [m].
 struct ExpectedRange {
   double mean = 0.0, sd = 0.0;
 };

@@ -14,7 +14,7 @@ namespace {
 /// chord.
 constexpr double kMoreThanHalf = 0.6;
 
-/// Of a box that is cut along one axis at most: that the border hides less than half.
+/// True if the border hides less than half of a box that is cut along one axis at most.
 bool ShowsCentre(const BoxReading& reading) {
   if (reading.is_cut_u && reading.is_cut_v) return false;
   if (reading.is_whole()) return true;

@@ -33,7 +33,7 @@ struct BoxReading {
   Eigen::Vector2d sigma_px = Eigen::Vector2d::Zero();  ///< infinite along an axis that is cut
   Eigen::Vector2d half_angle = Eigen::Vector2d::Zero();
   bool is_cut_u = false, is_cut_v = false;
-  /// Of the axes that are cut.
+  /// Measurements along the axes (u, v) on which the image's border cuts the box.
   std::array<std::optional<CutAxisFactor::Measurement>, 2> cut_axes;
 
   /// Planes (xz, yz) of the camera that tell the sphere's size: both of a whole box; of one cut at
@@ -42,7 +42,8 @@ struct BoxReading {
 
   [[nodiscard]] bool tells_size() const { return size_planes_C.sum() > 0.0; }
   [[nodiscard]] bool is_whole() const { return !is_cut_u && !is_cut_v; }
-  /// Of a sphere of `radius` (0: unknown): one axis its centre, or both an edge.
+  /// True if the box tells the place of a sphere of `radius` (0: unknown): it shows on one axis its
+  /// centre, or on both an edge.
   [[nodiscard]] bool TellsPlace(double radius) const {
     if (!is_cut_u || !is_cut_v) return true;
     return radius > 0.0 && cut_axes[0]->box.is_half_cut() && cut_axes[1]->box.is_half_cut();

@@ -20,7 +20,7 @@ struct CameraMountParams {
 /// file: two border variables of the smoother, from the first mapped object on.
 class CameraMount {
  public:
-  /// Of the two variables.
+  /// Slots of the mount's two variables in the smoother.
   using Slots = std::array<int, 2>;
 
   /// A camera that is as its file says.
@@ -32,12 +32,12 @@ class CameraMount {
   /// Before the first term on the variables. Nothing to do if they are there, or if nothing is in
   /// doubt and they are not needed anyway.
   void Begin(bool is_needed = false);
-  /// Nothing before that, or if nothing is in doubt.
+  /// The variables' slots; nothing before Begin, or if nothing is in doubt.
   [[nodiscard]] const std::optional<Slots>& slots() const { return slots_; }
-  /// As its file says.
+  /// The camera as its file says, without estimated errors.
   [[nodiscard]] const CameraModel& camera() const { return camera_; }
   [[nodiscard]] CameraErrors errors() const;
-  /// As estimated now, for an exposure in this motion.
+  /// The camera as estimated now, for an exposure while the body moves like this.
   [[nodiscard]] CameraModel At(const BodyMotion& motion) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace limpet {
 
-/// Where a frame was taken from.
+/// Where a frame was taken from, and how the vehicle moved then.
 struct Viewpoint {
   NavVector x = NavVector::Zero();
   std::optional<int> node{};  ///< of the chain, newest; nothing when the frame has no usable box
@@ -45,7 +45,7 @@ class FrameAssociator {
                   const ObjectTrackerParams& params, const TrackList& tracks)
       : smoother_(smoother), mount_(mount), params_(params), tracks_(tracks) {}
 
-  /// Per candidate; the smoother must be up to date with the frame's node.
+  /// What each candidate is associated with; the smoother must be up to date with the frame's node.
   [[nodiscard]] std::vector<Association> Assign(const Viewpoint& from,
                                                 const std::vector<Candidate>& candidates) const;
 

@@ -21,7 +21,7 @@ class LandmarkTerms {
         tracks_(tracks),
         sizes_(params.model.size_spread, smoother) {}
 
-  /// Of the mapped tracks.
+  /// Sizes of the mapped tracks' objects.
   [[nodiscard]] ObjectSizes& sizes() { return sizes_; }
   [[nodiscard]] const ObjectSizes& sizes() const { return sizes_; }
 
@@ -57,7 +57,7 @@ class LandmarkTerms {
   TrackList& tracks_;
   ObjectSizes sizes_;
   int next_id_ = 1;
-  /// Of absorbed tracks: they stay until the last trace of their observations is gone.
+  /// Slots of absorbed tracks: they stay until the last trace of their observations is gone.
   std::vector<int> absorbed_slots_;
 };
 

@@ -26,12 +26,13 @@ class ObjectSizes {
   ObjectSizes(double spread, Smoother& smoother)
       : stated_spread_(spread), spread_(std::make_shared<double>(spread)), smoother_(&smoother) {}
 
-  /// For an object of its own; nothing if sizes are not in doubt.
+  /// A place for the size of one more object; nothing if sizes are not in doubt.
   [[nodiscard]] std::optional<SizeSlot> Take(double believed);
   [[nodiscard]] double LogSizeAt(const SizeSlot& size) const {
     return size.believed + smoother_->BorderAt(size.slot)(size.index);
   }
-  /// Of the logarithm; of an object far from the vehicle, what it was when sizes were last learnt.
+  /// Variance of the size's logarithm; for an object far from the vehicle, what it was when sizes
+  /// were last learnt.
   [[nodiscard]] double VarianceOf(const SizeSlot& size) const;
   /// How much sizes differ, from those seen so far; nothing new if these are as many as before.
   void Learn(const std::vector<SizeSlot>& seen);
@@ -44,7 +45,8 @@ class ObjectSizes {
   double stated_spread_;
   std::shared_ptr<double> spread_;  ///< the priors read it
   std::size_t learnt_from_ = 0;     ///< objects
-  /// By slot, as of the last time that sizes were learnt while it was at hand.
+  /// Variances of the logarithms of each slot's three sizes, as of the last time that sizes were
+  /// learnt while it was at hand.
   std::map<int, Eigen::Vector3d> variances_;
   Smoother* smoother_;
   std::optional<SizeSlot> next_;  ///< of the last variable; nothing before the first

@@ -46,7 +46,7 @@ class ObjectTracker {
   /// Copies estimates from the smoother: of what the vehicle may see soon at once, of what is far
   /// from it one by one.
   void Refresh();
-  /// Of all at once.
+  /// Copies the estimates of all objects from the smoother at once.
   void RefreshAll();
 
   [[nodiscard]] const std::vector<TrackedObject>& objects() const { return tracks_.objects; }

@@ -25,7 +25,7 @@ class ObservationList {
   std::vector<Observation> TakeAll();
   /// REQUIRES: !empty().
   void RemoveFirst();
-  /// By frame; of one frame as they were added.
+  /// Sorts by frame; observations of one frame stay as they were added.
   void Sort() { std::ranges::stable_sort(all_, {}, &Observation::frame); }
 
   [[nodiscard]] const std::vector<Observation>& all() const { return all_; }

@@ -12,12 +12,12 @@ namespace limpet {
 /// Beyond this, nothing that is known of places counts against it.
 inline constexpr double kTwoObjectsCost = 24.0;
 
-/// From the classes that the boxes were given, of which a `confused` share is wrong. At best 0: how
-/// common a class is, is not known.
+/// Cost by the classes that the boxes were given, of which a `confused` share is wrong. At best 0:
+/// how common a class is, is not known.
 [[nodiscard]] double ClassCost(const TrackedObject& a, const TrackedObject& b, double confused);
 
-/// From the frames that show both at one time. Of one object, one of each two boxes would be false:
-/// one such frame may be a detector's mistake, some more are not.
+/// Cost by the frames that show both at one time. Were they one object, one of each two boxes would
+/// be false: one such frame may be a detector's mistake, some more are not.
 [[nodiscard]] double TogetherCost(const TrackedObject& a, const TrackedObject& b);
 
 [[nodiscard]] inline bool AreSeenTogether(const TrackedObject& a, const TrackedObject& b) {

@@ -20,14 +20,14 @@ struct Tentative {
   Eigen::Matrix3d covariance_W = Eigen::Matrix3d::Identity();  ///< relative to its poses [m^2]
   double worst_residual = 0.0;                                 ///< whitened, of its observations
 };
-/// In the smoother, and may be a landmark that is known, seen again.
+/// A track in the smoother that may be a known landmark, seen again.
 struct InDoubt {};
 /// An object of its own: what others are told of.
 struct Confirmed {
   bool is_on_probation = false;  ///< that it is one may still be taken back
 };
-/// In the smoother and held at the place of an older track, which it is taken for: the tie may be
-/// taken back.
+/// A track in the smoother that is held at the place of an older track, which it is taken for: the
+/// tie may be taken back.
 struct Tied {
   int to = 0;          ///< id
   double since = 0.0;  ///< [s]
@@ -62,7 +62,7 @@ struct Sightings {
 /// When the observations of a track are to be held against its place again.
 struct ReviewState {
   bool is_due = true;  ///< seen since the last review
-  /// Where it was when all its observations were last reviewed; nothing before that.
+  /// Where the object was when all its observations were last reviewed [m]; nothing before that.
   std::optional<Eigen::Vector3d> p_W;
 };
 
@@ -92,7 +92,7 @@ class TrackedObject {
   void Map(int id, int slot, const TrackState& as, std::optional<SizeSlot> size = std::nullopt);
   /// REQUIRES: is_mapped(), now or before it was gone.
   [[nodiscard]] int id() const { return mapped_->id; }
-  /// Its variable in the smoother. REQUIRES: is_mapped().
+  /// The track's variable in the smoother. REQUIRES: is_mapped().
   [[nodiscard]] int slot() const { return mapped_->slot; }
   /// The smoother's variable of its size, if that is estimated. REQUIRES: is_mapped().
   [[nodiscard]] const std::optional<SizeSlot>& size() const { return mapped_->size; }

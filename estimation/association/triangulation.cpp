@@ -99,7 +99,7 @@ class LookFromKnownPose {
   using Residual = typename F::Residual;
   using Jacobian = typename F::Jacobian;
   using BorderJacobian = typename F::BorderJacobian;
-  /// By the pose; place and size.
+  /// Derivatives by the pose, and by the object's place and size.
   using Jacobians = ObservationJacobians<kDim, 2>;
 
   LookFromKnownPose(const CameraModel& camera, F factor)
@@ -138,7 +138,7 @@ struct BoundTerm {
   Term term;
 };
 
-/// Of an object's place [m] and the logarithm of its size.
+/// Normal equations for an object's place [m] and the logarithm of its size.
 struct NormalEquations {
   Eigen::Matrix4d H;
   Eigen::Vector4d g;

@@ -3,7 +3,7 @@
 
 namespace limpet {
 
-/// Of an object from the camera where nothing tells it [m].
+/// Distance of an object from the camera where nothing tells it [m].
 inline constexpr double kUsualDistance = 3.0;
 
 }  // namespace limpet

@@ -67,7 +67,7 @@ class AttitudeFilter {
 
  private:
   [[nodiscard]] bool IsInOrder(const InertialInput& input);
-  /// Of a sample in order: whether it is an outlier, and whether its heading is.
+  /// Verdict on a sample that is in order: whether it is an outlier, and whether its heading is.
   [[nodiscard]] InertialGate::Verdict Judge(const InertialInput& input);
   void Start(const InertialInput& input);
   void Predict(const Eigen::Vector3d& rate, double dt);

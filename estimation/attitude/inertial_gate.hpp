@@ -39,9 +39,10 @@ class InertialGate {
 
   explicit InertialGate(const InertialGateParams& params = {}) : params_(params) {}
 
-  /// Of rates and forces. REQUIRES: finite, later than the sample before.
+  /// Verdict on a sample's rates and forces. REQUIRES: finite, later than the sample before.
   [[nodiscard]] Verdict JudgeMotion(const InertialInput& sample);
-  /// Of the heading. REQUIRES: likewise, its motion no outlier.
+  /// Verdict on a sample's heading. REQUIRES: finite, later than the sample before, its motion no
+  /// outlier.
   [[nodiscard]] Verdict JudgeHeading(const InertialInput& sample);
   /// What comes next has nothing to agree with: nobody knows what happened meanwhile.
   void Forget() { motion_ = heading_ = {}; }

@@ -6,9 +6,9 @@ namespace limpet {
 /// A leap ahead of a sensor's time that one sample alone does not prove [s]: its stamp may be
 /// corrupt.
 inline constexpr double kTimeLeap = 30.0;
-/// Between samples that prove it together [s].
+/// Longest time between two samples that prove a leap together [s].
 inline constexpr double kLeapAgreement = 1.0;
-/// So many of them in a row prove it.
+/// How many samples in a row prove a leap.
 inline constexpr int kLeapSamples = 3;
 
 }  // namespace limpet

@@ -5,7 +5,7 @@
 
 namespace limpet {
 
-/// Between where two objects are believed to be, whatever their depths [m].
+/// Distance between where two objects are believed to be, whatever their depths [m].
 [[nodiscard]] inline double DistanceOverGround(const ObjectEstimate& a, const ObjectEstimate& b) {
   return (a.p_W - b.p_W).head<2>().norm();
 }

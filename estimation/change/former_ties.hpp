@@ -22,7 +22,7 @@ class FormerTies {
   void Take(const std::vector<Landmark>& objects);
 
   [[nodiscard]] const std::vector<FormerObject>& former() const { return former_; }
-  /// Of the former session's frame in this one's.
+  /// Offset of the former session's frame in this session's.
   [[nodiscard]] const FrameOffset& offset() const { return match_.offset; }
   /// The object that stands for a former one: decided, or the likeliest; nothing if none may be it.
   [[nodiscard]] std::optional<std::size_t> NowOf(std::size_t former) const;
@@ -30,13 +30,14 @@ class FormerTies {
   [[nodiscard]] bool StandsForFormer(std::size_t object) const;
   /// That `object` is `former`, as the landmark says: 1 if that is decided.
   [[nodiscard]] double Chance(std::size_t former, std::size_t object) const;
-  /// Over all objects, as landmarks say: may be above 1, as several may each be likely it.
+  /// Sum over all objects of the chance that each is `former`, as landmarks say: may be above 1, as
+  /// several may each be likely it.
   [[nodiscard]] double SumOfFormer(std::size_t former) const;
-  /// Over all former objects.
+  /// Sum over all former objects of the chance that `object` is each of them.
   [[nodiscard]] double SumOfObject(std::size_t object) const;
   /// Where a former object lies in this session's frame, with what is unknown of that frame.
   [[nodiscard]] ObjectEstimate PlaceNow(std::size_t former) const;
-  /// And an object of now in the former session's.
+  /// Where an object of now lies in the former session's frame, likewise.
   [[nodiscard]] ObjectEstimate PlaceThen(const ObjectEstimate& now) const;
 
  private:

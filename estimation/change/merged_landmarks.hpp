@@ -30,7 +30,7 @@ class MergedLandmarks {
   [[nodiscard]] const std::vector<Landmark>& objects() const { return objects_; }
   /// The landmark that stands for `landmark`; nothing if that is not known.
   [[nodiscard]] std::optional<int> Representative(const std::optional<int>& landmark) const;
-  /// By landmark, the one that stands for it.
+  /// The landmark that stands for each landmark, by its id.
   [[nodiscard]] const std::map<int, int>& representatives() const { return representatives_; }
 
  private:

@@ -12,7 +12,7 @@ class ObjectIds {
   /// Ids up to `last` are taken.
   void Reserve(int last) { next_ = std::max(next_, last + 1); }
   [[nodiscard]] int Take() { return next_++; }
-  /// Of the object that `landmark` stands for; `representatives`: as MergedLandmarks has them.
+  /// Id of the object that `landmark` stands for; `representatives`: as MergedLandmarks has them.
   [[nodiscard]] int OfLandmark(int landmark, const std::map<int, int>& representatives) {
     const auto known = of_landmark_.find(landmark);
     if (known != of_landmark_.end()) return known->second;

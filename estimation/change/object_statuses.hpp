@@ -55,7 +55,7 @@ class ObjectStatuses {
 
   /// All objects, former ones first, then by id. What is certainly nothing is left out.
   [[nodiscard]] std::vector<OpiBelief> Assess();
-  /// Of the former session's frame in this one's; none without a former session.
+  /// Offset of the former session's frame in this one's; none without a former session.
   [[nodiscard]] FrameOffset offset() const { return ties_ ? ties_->offset() : FrameOffset{}; }
   [[nodiscard]] const std::vector<ObservedFrame>& frames() const { return watches_.frames(); }
   /// Boxes per image that show nothing: what the mission says, weighed with what was seen.

@@ -23,7 +23,7 @@ struct WatchModel {
   SightObstacles obstacles{};  ///< that the camera does not see through
 };
 
-/// Where an uncertain place lies in a frame.
+/// Where in a frame the object of an uncertain place is expected to appear.
 struct Foresight {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double radius = 0.0;  ///< of the object's image [px]
@@ -59,7 +59,7 @@ class PlaceWatch {
 
   /// Judges one frame; frames in order of time.
   void See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of);
-  /// For each visibility of the WatchModel, as all that follows.
+  /// What the looks say so far, for each visibility of the WatchModel, as all that follows.
   [[nodiscard]] PlaceEvidence evidence() const;
   /// ln P of what was seen here where an object is with this `chance`. Looks count `worth` each:
   /// they share water, light and pose.

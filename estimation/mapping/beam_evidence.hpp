@@ -69,7 +69,7 @@ class BeamEvidence {
   /// Those that beams have been laid in or taken back from since the last call, by key.
   [[nodiscard]] std::vector<TileKey> TakeChanged();
   [[nodiscard]] double resolution() const { return resolution_; }
-  /// Of the tiles that are held.
+  /// Size of the tiles that are held [bytes].
   [[nodiscard]] std::size_t bytes() const { return held_bytes_; }
 
  private:

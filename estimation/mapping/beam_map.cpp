@@ -21,7 +21,7 @@ double StaysUntil(const TrackShift& shift) {
                                       : (*std::prev(first))[0];
 }
 
-/// In order.
+/// Sorts the pings' numbers in ascending order and removes repeated ones.
 void LeaveEachOnce(std::vector<std::uint32_t>& pings) {
   std::ranges::sort(pings);
   pings.erase(std::unique(pings.begin(), pings.end()), pings.end());

@@ -56,7 +56,7 @@ class BeamMap {
   /// Those that are other than when this was last called, by key.
   [[nodiscard]] std::vector<TileKey> TakeChanged() { return evidence_.TakeChanged(); }
   [[nodiscard]] double resolution() const { return evidence_.resolution(); }
-  /// Of the voxels that are in memory.
+  /// Size of the voxels that are in memory [bytes].
   [[nodiscard]] std::size_t held_bytes() const { return evidence_.bytes(); }
   /// Depths of the seabed, by columns as wide as a voxel.
   [[nodiscard]] const DepthMap& depths() const { return depths_; }

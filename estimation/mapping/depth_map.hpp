@@ -48,7 +48,7 @@ class DepthMap {
 
   /// Mean depth of the column that holds a place [m]; nothing where no beam ended.
   [[nodiscard]] std::optional<double> DownAt(double north, double east) const;
-  /// By north, then east.
+  /// All columns that a beam ended in, sorted by north, then by east.
   [[nodiscard]] std::vector<DepthColumn> Columns() const;
   [[nodiscard]] double cell_m() const { return cell_m_; }
   [[nodiscard]] double zero_sigma() const { return zero_sigma_; }
@@ -67,7 +67,7 @@ class DepthMap {
   struct Sums {
     std::int64_t beams = 0, down_mm = 0;
     std::uint64_t square_mm2 = 0;  ///< room for half a million beams in 6 km of depth
-    /// Of the squares of what the beams are off from their mean [mm^2].
+    /// Sum of the squares of what the beams are off from their mean depth [mm^2].
     [[nodiscard]] double scatter() const;
   };
 

@@ -25,7 +25,8 @@ Eigen::Vector3d Direction(std::size_t beam, const DvlBeams& dvl) {
   return {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)};
 }
 
-/// Of two middle values the deeper one: an object pulls beams up, nothing pulls them down.
+/// Median of the ends' depths [m]; of two middle values the deeper one: an object pulls beams up,
+/// nothing pulls them down.
 double MedianDepth(const std::vector<BeamEnd>& ends) {
   std::vector<double> depths;
   for (const BeamEnd& end : ends) {

@@ -86,7 +86,8 @@ class EvidenceTile {
   TileKey key_;
   std::array<Column, std::size_t{kBricks} * kBricks> columns_;
   std::size_t bricks_ = 0, layers_ = 0;  ///< of all columns, the latter with those without a brick
-  /// Of voxels by their number in the brick: times 65 536 to what the brick holds of them.
+  /// Carries of voxels, by their number in the brick: times 65 536 to be added to what it holds of
+  /// them.
   std::map<BrickKey, std::map<std::size_t, VoxelCounts>> carries_;
 };
 

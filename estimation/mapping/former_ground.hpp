@@ -45,7 +45,7 @@ class FormerGround {
   [[nodiscard]] std::optional<float> At(const VoxelKey& key) const;
 
  private:
-  /// Of `edge` voxels each way, in the former session's frame.
+  /// A cube of `edge` voxels each way, in the former session's frame.
   struct Cube {
     VoxelIndex corner{};
     std::int32_t edge = 1;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kTileColumns = std::size_t{kTileVoxels} * kTileVoxels;
 
-/// Of a voxel's column in its tile.
+/// Number of a voxel's column in its tile, row by row.
 std::size_t PlaceInTile(const VoxelKey& key) {
   constexpr std::int64_t kInside = kTileVoxels - 1;
   return static_cast<std::size_t>((key[0] & kInside) << kTileBits | (key[1] & kInside));

@@ -27,7 +27,7 @@ class GroundLooks {
 
   GroundLooks(const LookModel& model, const LookParams& looks) : model_(model), looks_(looks) {}
 
-  /// In other water, all looks are judged again.
+  /// Takes another model of what is seen: in other water, all looks are judged again.
   void SetModel(const LookModel& model);
   /// The frames have moved: they are gone through again, beside what is known meanwhile.
   void BeginAnew() { is_stale_ = true; }

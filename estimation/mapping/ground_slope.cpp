@@ -10,7 +10,7 @@ namespace {
 
 /// 30 degrees: what is steeper is no seabed to fly over but a wall.
 constexpr double kSteepestCredible = 0.58;
-/// Of a ping on the slope that is believed: two seconds of pings.
+/// Share that each new ping has in the slope that is believed: two seconds of pings.
 constexpr double kShare = 0.1;
 
 }  // namespace

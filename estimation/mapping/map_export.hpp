@@ -24,7 +24,7 @@ struct OccupiedMap {
   std::vector<Voxel> voxels;  ///< leaves cut to that, so that every voxel stands for itself
 };
 [[nodiscard]] OccupiedMap OccupiedOf(const SemanticOctree& octree);
-/// Of a map as it is saved (SemanticOctree::Serialize), which is not built for it.
+/// Occupied voxels of a map as it is saved (SemanticOctree::Serialize), which is not built for it.
 [[nodiscard]] Expected<OccupiedMap> OccupiedOfStream(std::string_view bytes);
 
 /// One voxel per line: north_m,east_m,down_m,size_m,p_occupied,p_object,p_exists,label.

@@ -31,7 +31,7 @@ class ObstacleFinder {
 
  private:
   [[nodiscard]] bool StandsUp(const Eigen::Vector3d& end_W, double vehicle_down) const;
-  /// Of the ones known, that one which this is now; it is taken out of `known`.
+  /// That one of the obstacles known which `now` is; it is taken out of `known`.
   [[nodiscard]] std::optional<Obstacle> TakeFormer(const Obstacle& now,
                                                    std::vector<Obstacle>& known) const;
 

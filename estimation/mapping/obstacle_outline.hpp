@@ -8,8 +8,8 @@
 
 namespace limpet {
 
-/// Of a group [m]: the convex outline of a longer wall that bends would take in the water before
-/// it.
+/// Greatest length of a group, north or east [m]: the convex outline of a longer wall that bends
+/// would take in the water before it.
 inline constexpr double kLongestGroup = 4.0;
 /// Cells that lie together, group by group, none longer than `kLongestGroup` north or east.
 [[nodiscard]] std::vector<std::vector<EchoCells::Cell>> GroupsOf(

@@ -8,7 +8,7 @@
 
 namespace limpet {
 
-/// Of a pair that cannot be.
+/// Cost of a pair that the assignment may not choose.
 inline constexpr double kImpossibleCost = 1e6;
 
 /// One-to-one assignment of rows to columns with the least total cost, where leaving a row without

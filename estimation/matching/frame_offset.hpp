@@ -16,7 +16,7 @@ struct FrameOffset {
 
   [[nodiscard]] Eigen::Vector3d Apply(const Eigen::Vector3d& former_W) const;
   [[nodiscard]] Eigen::Vector3d Undo(const Eigen::Vector3d& now_W) const;
-  /// Of Apply(former_W) with respect to (north, east, down, turn).
+  /// Derivative of Apply(former_W) with respect to (north, east, down, turn).
   [[nodiscard]] Eigen::Matrix<double, 3, 4> Jacobian(const Eigen::Vector3d& former_W) const;
   /// (north, east, down, turn).
   [[nodiscard]] Eigen::Vector4d vector() const { return {shift_W.x(), shift_W.y(), down, turn}; }

@@ -17,7 +17,7 @@ constexpr std::array kHorizontal{0, 1, 3};  // of (north, east, down, turn)
 
 double LogOf2Pi() { return std::log(2.0 * std::numbers::pi); }
 
-/// Of objects like this one where nothing is known of them [1/m^2].
+/// Density of objects like this one where nothing is known of them [1/m^2].
 double DensityOf(const std::string& color, const std::vector<ObjectEstimate>& now) {
   Eigen::Array2d low = Eigen::Array2d::Constant(1e300), high = -low;
   double alike = 0.0;

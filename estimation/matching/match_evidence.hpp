@@ -13,11 +13,11 @@ inline constexpr double kFormerStays = 0.5;
 /// Where the former session's frame may lie before any match is seen, as densities of (north,
 /// east) [1/m^2] and turn [1/rad].
 struct FramePrior {
-  /// Of a frame known by fixes and compasses: information of (north, east, down, turn).
+  /// Prior of a frame known by fixes and compasses: information of (north, east, down, turn).
   [[nodiscard]] static FramePrior Known(const Eigen::Matrix4d& information);
-  /// Of a frame of which nothing is known but that it is one of the neighbourhood.
+  /// Prior of a frame of which nothing is known but that it is one of the neighbourhood.
   [[nodiscard]] static FramePrior Unknown(double radius_m, Radians turn);
-  /// Of the offset, natural logarithm.
+  /// Natural logarithm of the density at this offset.
   [[nodiscard]] double LogDensity(const FrameOffset& offset) const;
 
  private:

@@ -48,12 +48,12 @@ double DensityOfMoves(const Horizontal& displacement, double farthest) {
 struct Vertical {
   double off = 0.0, variance = 0.0;
 
-  /// Where depths differ by a normal deviation of `sd` [m] beside what is unknown of both.
+  /// Density where depths differ by a normal deviation of `sd` [m] beside what is unknown of both.
   [[nodiscard]] double DensityWith(double sd) const {
     const double all = variance + sd * sd;
     return std::exp(-0.5 * off * off / all) / std::sqrt(2.0 * std::numbers::pi * all);
   }
-  /// Where the object went up or down by kLeastMove to `farthest`, all as likely.
+  /// Density where the object went up or down by kLeastMove to `farthest`, all as likely.
   [[nodiscard]] double DensityOfLifts(double farthest) const {
     const auto below = [this](double d) { return NormalShareBelow(d - off, variance); };
     const double up = below(-kLeastMove) - below(-farthest);

@@ -29,7 +29,7 @@ struct MatchingParams {
   /// object than of two, where 0.03 of the sessions name an object's colour wrong.
   double color_penalty = 4.3;
 
-  /// Of the two as one object [squared sigmas].
+  /// What their colours cost when the two are taken for one object [squared sigmas].
   [[nodiscard]] double ColorCost(const ObjectEstimate& a, const ObjectEstimate& b) const {
     return a.color == b.color ? 0.0 : color_penalty;
   }
@@ -77,16 +77,16 @@ struct MatchingParams {
 /// Information of (north, east, down, turn) before any match, from the parameters alone.
 [[nodiscard]] Eigen::Matrix4d OffsetPrior(const MatchingParams& params);
 
-/// Per former object, index of this session's object, if one is matched with it.
+/// For each former object the index of this session's object, if one is matched with it.
 using FormerMatches = std::vector<std::optional<int>>;
 
 struct SessionMatch {
   FormerMatches now_of_former{};
   FrameOffset offset{};
-  /// Of (north, east, down, turn), given the matches.
+  /// Covariance of the offset's (north, east, down, turn), given the matches.
   Eigen::Matrix4d offset_cov = Eigen::Matrix4d::Zero();
-  /// Per former and present object, that they are one: over the best assignment and its rivals, the
-  /// best ones of as many matches that do without one of its pairs.
+  /// Chance of each former and present object that they are one: over the best assignment and its
+  /// rivals, the best ones of as many matches that do without one of its pairs.
   Eigen::MatrixXd chance{};
 };
 

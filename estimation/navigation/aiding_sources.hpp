@@ -15,7 +15,7 @@
 
 namespace limpet {
 
-/// Of one source's observations, since the start.
+/// Counts of one source's observations, since the start.
 struct SourceCounts {
   int taken = 0;
   int refused = 0;  ///< off their prediction
@@ -37,15 +37,15 @@ class AidingSources {
  public:
   explicit AidingSources(Smoother& smoother) : smoother_(smoother) {}
 
-  /// Its number. Before Begin.
+  /// Adds a source and returns its number. REQUIRES: Begin has not been called.
   int Add(std::unique_ptr<MeasurementSource> source);
   /// The smoother has its first pose: slow errors become variables of its.
   void Begin();
 
-  /// Of one that says nothing of the pose.
+  /// Counts an observation as taken that says nothing of the pose.
   void NoteTaken(int source) { ++At(source).counts.taken; }
   void Keep(int source, std::shared_ptr<mrpt::obs::CObservation> seen);
-  /// Of the oldest that waits [s]; nothing if none does.
+  /// Time of the oldest observation that waits [s]; nothing if none does.
   [[nodiscard]] std::optional<double> NextTime() const;
   /// Forgets the oldest: it came too late.
   void Drop();

@@ -30,7 +30,7 @@ class BoxMotion {
   [[nodiscard]] std::optional<MotionComparison::Ratio> Disagreement() const;
 
  private:
-  /// By class: middle of the only box of it [px]; nothing where there are several.
+  /// Middle of the only box of each class [px]; nothing where there are several.
   using Middles = std::map<std::string, std::optional<Eigen::Vector2d>>;
   struct View {
     double t = 0.0;  ///< [s]

@@ -42,7 +42,7 @@ class BridgeEndCheck {
   void Close() {
     if (end_) end_->is_open = false;
   }
-  /// Of the last dropout that has ended; nothing before one.
+  /// The end of the last dropout that has ended; nothing before one.
   [[nodiscard]] const std::optional<BridgeEnd>& end() const { return end_; }
 
  private:

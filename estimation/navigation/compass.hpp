@@ -25,7 +25,8 @@ struct CompassParams {
 /// be right on average. `smoother` must outlive it.
 class Compass {
  public:
-  /// In the order of the adjuster's letters: constant, with sine and with cosine of the heading.
+  /// Deviation in the order of the adjuster's letters: constant, with sine and with cosine of the
+  /// heading.
   struct Deviation {
     Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< [rad]
     Eigen::Vector3d sd = Eigen::Vector3d::Zero();

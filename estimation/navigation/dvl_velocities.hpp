@@ -36,9 +36,9 @@ class DvlVelocities {
   [[nodiscard]] Eigen::Vector3d At(double t) const;
   /// REQUIRES: !empty().
   [[nodiscard]] double newest_time() const { return rows_->newest.t; }
-  /// Up to where the newest one changed nothing. REQUIRES: !empty().
+  /// Time up to which the newest velocity changed nothing [s]. REQUIRES: !empty().
   [[nodiscard]] double previous_time() const { return rows_->before.t; }
-  /// Of the last one that was measured and believed.
+  /// Time of the last velocity that was measured and believed [s].
   [[nodiscard]] const std::optional<double>& believed_time() const { return believed_t_; }
 
   /// Seconds between samples.

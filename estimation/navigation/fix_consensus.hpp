@@ -61,7 +61,8 @@ class FixConsensus {
     std::optional<std::size_t> last = std::nullopt;  ///< of its fixes among all of the stay
   };
   Group& GroupOf(const HeldFix& held);
-  /// From one fix to the next of the latest [m]; of wandering or noisy fixes, not of jumps.
+  /// Notes the step from one fix to the next of the latest [m]; of wandering or noisy fixes, not of
+  /// jumps.
   void NoteStep(const HeldFix& held);
   [[nodiscard]] bool IsAsPredicted(const HeldFix& held) const;
   [[nodiscard]] double SupportOf(const Group& group) const;

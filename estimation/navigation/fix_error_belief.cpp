@@ -30,7 +30,7 @@ double Surprise(const Eigen::Vector2d& off, double variance, double most) {
 }
 
 double UsualPrior(double scale) {
-  // Of all usual ones the mean square is what is stated.
+  // The mean square of all usual errors is what is stated.
   const double z = (std::log(scale) + kUsualSpread * kUsualSpread) / kUsualSpread;
   return std::exp(-0.5 * z * z);
 }

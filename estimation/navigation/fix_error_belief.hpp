@@ -20,7 +20,7 @@ class FixErrorBelief {
   /// `correlation`: for how long the error stays about the same.
   explicit FixErrorBelief(Seconds correlation);
 
-  /// Where dead reckoning and all else has the first fix, against it.
+  /// How far the first fix is from where dead reckoning and all else has the vehicle.
   struct Start {
     Eigen::Vector2d off_W = Eigen::Vector2d::Zero();  ///< fix less that [m]
     double variance = 0.0;                            ///< of each axis [m^2]

@@ -17,7 +17,7 @@ struct FixRow {
   static constexpr std::size_t kEnd = 8;
 
   double correlation = 120.0;  ///< of the error [s]
-  /// Since the last fix of the stay before [s]; none: there was no other.
+  /// Time since the last fix of the stay before [s]; none: there was no other.
   std::optional<double> gap_before{};
   std::vector<double> times{};  ///< of the fixes, in order [s]
 

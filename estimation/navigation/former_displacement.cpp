@@ -19,7 +19,7 @@ constexpr std::size_t kMostTakenOut = 20;  // pairs of one fit: beyond that it i
 /// would say how far the two are apart.
 constexpr double kMostLeverage = 0.9;
 
-/// Of what no filter knows of a place, so much is depth: the pressure sensor knows it best.
+/// Share that depth has of what no filter knows of a place: the pressure sensor knows it best.
 constexpr double kDownShare = 0.5;
 
 /// How far apart two places are along some axes and how surely.
@@ -29,7 +29,7 @@ struct Apart {
   Eigen::Matrix<double, N, N> covariance;
 };
 
-/// As by the offset that is left when the pair is taken out of its fit.
+/// How far the pair is apart by the offset that is left when the pair is taken out of its fit.
 template <int N>
 Apart<N> Without(const Apart<N>& apart, const Eigen::Matrix<double, N, N>& of_offset) {
   using Square = Eigen::Matrix<double, N, N>;

@@ -21,7 +21,7 @@ class FormerMatching {
   [[nodiscard]] bool has_former() const { return tie_.has_former(); }
   /// Matches and updates the smoother, if landmarks have changed since the last match.
   void Update();
-  /// Of the former session's frame in this one; as it was before any match.
+  /// Offset of the former session's frame in this one; as it was before any match.
   [[nodiscard]] FrameOffset offset() const { return tie_.offset(); }
   [[nodiscard]] bool is_elsewhere() const { return tie_.is_elsewhere(); }
 

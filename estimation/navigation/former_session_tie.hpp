@@ -39,9 +39,9 @@ class FormerSessionTie {
   /// first, so that a match never proves itself. False if nothing can be said now.
   bool Match(const PresentLandmarks& present, const std::optional<JointPrior>& applied);
 
-  /// Per present landmark of the last Match.
+  /// Identities of the present landmarks of the last Match, in their order.
   [[nodiscard]] const std::vector<FormerIdentity>& identities() const { return identities_; }
-  /// Of the former session's frame in this one, from the last Match.
+  /// Offset of the former session's frame in this one, from the last Match.
   [[nodiscard]] FrameOffset offset() const { return Together(placed_, offset_); }
   /// The former session's frame lies where neither its fixes nor its compass would have it.
   [[nodiscard]] bool is_elsewhere() const { return is_elsewhere_; }
@@ -77,9 +77,9 @@ class FormerSessionTie {
                                    const Eigen::Matrix4d& now_frame) const;
   /// A search that found nothing is worth another with a tenth more of landmarks, or after a while.
   [[nodiscard]] bool IsTimeToSearch(std::size_t candidates);
-  /// Of what neither session's fixes know of.
+  /// Covariance of (north, east, down, turn): what neither session's fixes know of.
   [[nodiscard]] Eigen::Matrix4d DatumCovariance() const;
-  /// Of the offset (north, east, down, turn) before any match.
+  /// Information of the offset (north, east, down, turn) before any match.
   [[nodiscard]] Eigen::Matrix4d OffsetInformation(const Eigen::Matrix4d& now_frame) const;
   [[nodiscard]] JointPrior PriorFrom(const std::vector<Pair>& pairs,
                                      const PresentLandmarks& present,

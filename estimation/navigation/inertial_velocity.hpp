@@ -17,7 +17,8 @@ class InertialVelocity {
   void AddForce(double t, const Eigen::Vector3d& force_B, const Eigen::Matrix3d& R_DB);
   /// This was the velocity over ground [m/s].
   void Believe(double t, const Eigen::Vector3d& v_B, const Eigen::Matrix3d& R_DB);
-  /// In body axes [m/s]; nothing if it was believed too long ago, or forces are missing since.
+  /// Velocity in body axes [m/s]; nothing if it was believed too long ago, or forces are missing
+  /// since.
   [[nodiscard]] std::optional<Eigen::Vector3d> At(double t, const Eigen::Matrix3d& R_DB) const;
 
  private:

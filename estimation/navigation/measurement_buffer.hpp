@@ -34,19 +34,20 @@ class MeasurementBuffer {
                     Meters depth_sigma);
 
   void AddAttitude(const AttitudeEstimate& attitude);
-  /// Of an accelerometer in body axes [m/s^2]. Comes after an attitude.
+  /// Takes the specific force of an accelerometer in body axes [m/s^2]. Comes after an attitude.
   void AddSpecificForce(double t, const Eigen::Vector3d& force_B);
-  /// Of the DVL in body axes [m/s]; nothing without lock.
+  /// Takes a velocity of the DVL in body axes [m/s]; nothing without lock.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
-  /// Of the DVL above the seabed [m]; kept as that of the body origin. Comes after an attitude.
+  /// Takes the height of the DVL above the seabed [m]; kept as that of the body origin. Comes after
+  /// an attitude.
   void AddAltitude(double t, double dvl_altitude);
-  /// Of an echo sounder in body axes. It counts while the DVL gives no altitude. Comes after an
-  /// attitude.
+  /// Takes the range of an echo sounder in body axes. It counts while the DVL gives no altitude.
+  /// Comes after an attitude.
   void AddSounding(double t, const Eigen::Vector3d& p_BS, double range);
   void AddDepth(double t, double depth);
-  /// Of a compass against the attitude's yaw [rad].
+  /// Takes how far a compass is off the attitude's yaw [rad].
   void AddCompass(double t, double off);
-  /// As OdometryTrack::AddForce.
+  /// Takes the thrusters' force, as OdometryTrack::AddForce does.
   void AddForce(double t, const Eigen::Vector2d& force_B) {
     if (IsPlausible(t)) track_.AddForce(t, force_B);
   }
@@ -60,7 +61,7 @@ class MeasurementBuffer {
   [[nodiscard]] const ScalarHistory& depths() const { return depths_; }
   /// The compass's heading at `t` [rad], if measured about then.
   [[nodiscard]] std::optional<double> CompassAt(double t) const;
-  /// Of the body origin above the seabed, if measured about then [m].
+  /// Height of the body origin above the seabed, if measured about then [m].
   [[nodiscard]] std::optional<double> AltitudeAt(double t) const;
   [[nodiscard]] std::deque<PositionFix>& fixes() { return fixes_; }
   [[nodiscard]] std::vector<Detections>& frames() { return frames_; }
@@ -71,13 +72,13 @@ class MeasurementBuffer {
  private:
   /// False for times that are no number or further ahead of the attitude than any sensor can be.
   [[nodiscard]] bool IsPlausible(double t) const;
-  /// From the body to level axes, by the attitude. REQUIRES: there is one.
+  /// Rotation from the body to level axes, by the attitude. REQUIRES: there is one.
   [[nodiscard]] Eigen::Matrix3d LevelRotationAt(double t) const;
   /// Velocity of the DVL because the body turns about its origin [m/s]. REQUIRES: an attitude.
   [[nodiscard]] Eigen::Vector3d SwingAt(double t) const;
-  /// Of the body's origin.
+  /// What is known of the velocity of the body's origin at `t`.
   [[nodiscard]] VelocityEvidence EvidenceAt(double t) const;
-  /// Of what the DVL measured, as the velocity of the body's origin.
+  /// Verdict on what the DVL measured, as the velocity of the body's origin.
   [[nodiscard]] VelocityGate::Verdict Judge(double t, const Eigen::Vector3d& v_dvl_B);
 
   /// What a velocity says of the same motion as depth and thrusters.

@@ -50,7 +50,8 @@ class Navigator {
   Navigator& operator=(const Navigator&) = delete;
 
   void AddAttitude(const AttitudeEstimate& attitude) { measurements_.AddAttitude(attitude); }
-  /// Of an accelerometer in body axes [m/s^2]: tells a true change of velocity from a false one.
+  /// Takes the specific force of an accelerometer in body axes [m/s^2]: tells a true change of
+  /// velocity from a false one.
   void AddSpecificForce(double t, const Eigen::Vector3d& force_B) {
     measurements_.AddSpecificForce(t, force_B);
   }
@@ -64,7 +65,7 @@ class Navigator {
   /// The thrusters push with this force from `t` on, ahead and abeam [N].
   void AddForce(double t, const Eigen::Vector2d& force_B) { measurements_.AddForce(t, force_B); }
   void AddDepth(double t, double depth) { measurements_.AddDepth(t, depth); }
-  /// Of a compass against the attitude's yaw [rad].
+  /// Takes how far a compass is off the attitude's yaw [rad].
   void AddCompass(double t, double off) { measurements_.AddCompass(t, off); }
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd) {
@@ -80,7 +81,7 @@ class Navigator {
   /// Works off what is left and iterates to the optimum.
   SolveReport Finish();
 
-  /// Of the newest attitude; nothing without any.
+  /// Time of the newest attitude [s]; nothing without any.
   [[nodiscard]] std::optional<double> attitude_time() const;
   /// True once the chain has its first pose.
   [[nodiscard]] bool has_started() const { return chain_.has_begun(); }
@@ -128,7 +129,7 @@ class Navigator {
   [[nodiscard]] const ObjectTracker& tracker() const { return tracker_; }
   [[nodiscard]] const ChainGraph& graph() const { return smoother_.graph(); }
   [[nodiscard]] const Smoother& smoother() const { return smoother_; }
-  /// Of the former session's frame in this one; as it was before any match.
+  /// Offset of the former session's frame in this one; as it was before any match.
   [[nodiscard]] FrameOffset former_offset() const { return former_.offset(); }
   /// That frame lies where neither session's fixes and compass would have it.
   [[nodiscard]] bool is_former_elsewhere() const { return former_.is_elsewhere(); }

@@ -37,7 +37,7 @@ void AddUntoldStop(const TrackPose& track, double yaw, NavCovariance& covariance
   covariance.topLeftCorner<2, 2>() += R_WD * track.stop_covariance_D * R_WD.transpose();
 }
 
-/// Of the head, levelled, then the step: MRPT carries the covariance through the composition.
+/// Covariance of the levelled head, then of the step: MRPT carries it through the composition.
 NavCovariance CovarianceAfter(const OdometryStep& step, NavVector head, const Smoother& smoother) {
   head.tail<2>().setZero();
   NavVector motion = NavVector::Zero();

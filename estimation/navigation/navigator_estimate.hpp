@@ -22,7 +22,7 @@ struct NavigatorEstimate {
   double sd_yaw = 0.0;                                       ///< [rad]
 };
 
-/// From the chain's head, by dead reckoning, with what silence of the sensors adds.
+/// Estimate from the chain's head, by dead reckoning, with what silence of the sensors adds.
 /// REQUIRES: chain.has_begun().
 [[nodiscard]] NavigatorEstimate EstimateAt(double t, const PoseChain& chain,
                                            const Smoother& smoother,

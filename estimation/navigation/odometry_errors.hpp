@@ -22,12 +22,13 @@ class OdometryErrors {
 
   /// The chain begins at `t` [s].
   void Begin(double t);
-  /// From one node to the next, `from` to `to` [s].
+  /// Term on the step from one node to the next, at `from` and `to` [s].
   [[nodiscard]] Term StepTerm(double from, double to);
   /// Slot of scale, misalignment and bias of the yaw rate that hold now. REQUIRES: the chain has
   /// begun.
   [[nodiscard]] int slow_slot() const { return slow_->slot; }
-  /// Of the gyro's scale and where the DVL is ahead and to starboard, if these are estimated.
+  /// Slot of the gyro's scale and of where the DVL is ahead and to starboard, if these are
+  /// estimated.
   [[nodiscard]] std::optional<int> mount_slot() const { return mount_; }
   /// The track's step, errors as estimated now taken out. REQUIRES: the chain has begun.
   [[nodiscard]] OdometryStep Corrected(double from, double to) const;
@@ -48,7 +49,7 @@ class OdometryErrors {
   [[nodiscard]] Eigen::Vector4d Without(const OdometryStep& step) const;
   /// Slot of the slow errors that hold at `t`.
   int SlowAt(double t);
-  /// In a dropout: slot of what current and speed through the water are off.
+  /// Slot of what current and speed through the water are off in a dropout.
   int BridgeAt(double t);
   /// A part of a dropout in which current and speed are off by the same.
   struct Stretch {

@@ -67,7 +67,7 @@ struct TrackPose {
   Pose X_DB;
   Eigen::Vector3d v_B = Eigen::Vector3d::Zero();  ///< of the body origin [m/s]
   double yaw_rate = 0.0;
-  /// In a dropout: of its place because it may have stopped meanwhile [m^2].
+  /// Covariance of the place in a dropout, because the vehicle may have stopped meanwhile [m^2].
   Eigen::Matrix2d stop_covariance_D = Eigen::Matrix2d::Zero();
 };
 
@@ -114,7 +114,7 @@ class OdometryTrack {
   [[nodiscard]] std::optional<double> settled_time() const {
     return velocities_.empty() ? std::nullopt : std::optional(velocities_.newest_time());
   }
-  /// As DvlVelocities::DropoutAge.
+  /// Age of the present dropout, as DvlVelocities::DropoutAge has it.
   [[nodiscard]] std::optional<double> DropoutAge(double t) const {
     return velocities_.DropoutAge(t);
   }
@@ -123,7 +123,7 @@ class OdometryTrack {
   /// there is none.
   [[nodiscard]] std::optional<Eigen::Vector3d> BridgedAt(double t) const;
 
-  /// Of the last dropout that has ended; nothing before one.
+  /// The end of the last dropout that has ended; nothing before one.
   [[nodiscard]] const std::optional<BridgeEnd>& bridge_end() const { return bridge_end_.end(); }
 
   /// The thrusters push with this force from `t` on, ahead and abeam [N].
@@ -159,7 +159,7 @@ class OdometryTrack {
     double unknown_way = 0.0, unattended = 0.0;
     double turn_rate = 0.0;  ///< of yaw, smoothed [rad/s]
     UntoldStop stop{};       ///< of this dropout
-    /// Of the track, to catch up with what was not believed at first, in its frame [m].
+    /// Shift of the track, to catch up with what was not believed at first, in its frame [m].
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   };
   /// Neighbouring samples about a time, and the share of the way from one to the other.
@@ -172,10 +172,10 @@ class OdometryTrack {
   [[nodiscard]] std::optional<Bracket> Around(double t) const;
   [[nodiscard]] static AttitudeEstimate Between(const Bracket& around, double t);
   [[nodiscard]] Conduct ConductOf(const Sample& sample) const;
-  /// Before the water model learns from a velocity.
+  /// Holds a velocity against the bridge, before the water model learns from it.
   void HoldAgainstBridge(double t, const Eigen::Vector3d& v_dvl_B);
   void TeachWater(double t, const Eigen::Vector3d& v_dvl_B);
-  /// In a dropout: in the track's frame.
+  /// Velocity in a dropout, in the track's frame [m/s].
   [[nodiscard]] Eigen::Vector3d BridgedVelocity(double t, const Conduct& conduct) const;
   /// The velocity in the track's frame, measured or bridged.
   [[nodiscard]] Eigen::Vector3d LevelVelocity(const Sample& sample) const;

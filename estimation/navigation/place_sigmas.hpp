@@ -26,7 +26,7 @@ class PlaceSigmas {
   void Note(double t, const Eigen::Vector2d& p_W);
   [[nodiscard]] int noted() const { return static_cast<int>(times_.size()); }
   [[nodiscard]] double TimeOf(int node) const { return times_[static_cast<std::size_t>(node)]; }
-  /// Of a node that has been noted and that the smoother's last update knew.
+  /// 1-sigma of a node that has been noted and that the smoother's last update knew.
   [[nodiscard]] PlaceSigma Of(int node, const Smoother& smoother) const;
   /// The node of an earlier pass that is nearest to this one; nothing if none is near.
   [[nodiscard]] std::optional<int> NodeBeside(int node) const;

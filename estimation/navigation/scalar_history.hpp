@@ -19,9 +19,9 @@ class ScalarHistory {
 
   [[nodiscard]] const std::deque<Sample>& samples() const { return samples_; }
   [[nodiscard]] std::optional<double> last_time() const;
-  /// Of the sample nearest to `t`, the earlier of two as near.
+  /// The sample nearest to `t`, the earlier of two as near.
   [[nodiscard]] std::optional<Sample> Nearest(double t) const;
-  /// Of a line through the samples of the last `span` seconds; nothing from less than four.
+  /// Slope of a line through the samples of the last `span` seconds; nothing from less than four.
   [[nodiscard]] std::optional<double> Slope(double span) const;
 
  private:

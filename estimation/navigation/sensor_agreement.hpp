@@ -54,7 +54,7 @@ class SensorAgreement {
   /// starboard in the levelled heading frame [m/s].
   void AddDrive(double t, const Eigen::Vector2d& driven_H, const Eigen::Vector2d& v_H);
 
-  /// As by the last minutes in which it showed.
+  /// Disagreements found, each as of the last minutes in which it showed.
   [[nodiscard]] std::vector<Disagreement> Found() const;
 
  private:

@@ -44,7 +44,7 @@ YawRateErrors BelievedYawRate(const SensorSheets& sheets) {
           .bias = TwoDigits(kFogBiasMargin * imu.gyro_bias_radps)};
 }
 
-/// Of what a bias of the force tilts the horizon by.
+/// The tilt of the horizon that a bias of the force makes, as believed.
 Radians BelievedTilt(const ImuSheet& imu) {
   return Radians(TwoDigits(kTiltMargin * imu.force_bias_mps2 / kGravity));
 }

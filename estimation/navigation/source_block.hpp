@@ -29,8 +29,9 @@ struct SourceBlock {
 /// A source's parameters as a block spells them.
 [[nodiscard]] std::vector<ParamSpec> PrefixedKeys(const std::string& name, SourceFactory& factory);
 
-/// Of a command line: `acoustic_fix, beacon_range; beacon_range_at_m = 10, 0, 20`, where the first
-/// part is what a block's `sources` says and the others are its lines. Throws ConfigError.
+/// Sources of a command line: `acoustic_fix, beacon_range; beacon_range_at_m = 10, 0, 20`, where
+/// the first part is what a block's `sources` says and the others are its lines. Throws
+/// ConfigError.
 [[nodiscard]] NamedSources ParseSources(std::string_view text);
 
 }  // namespace limpet

@@ -19,7 +19,8 @@ class UntoldStop {
     sum_ += seconds * middle;
     squares_ += seconds * middle * middle.transpose();
   }
-  /// Of the place by now, in the axes of `way` [m^2], of one that stops so often [1/s].
+  /// Covariance of the place by now, in the axes of `way` [m^2], of a vehicle that stops so often
+  /// [1/s].
   [[nodiscard]] Eigen::Matrix2d Covariance(double stop_rate) const {
     const Eigen::Matrix2d crossed = sum_ * way_.transpose();
     return stop_rate *

@@ -52,7 +52,7 @@ class VelocityGate {
 
   explicit VelocityGate(const VelocityGateParams& params) : params_(params) {}
 
-  /// Of `v_B` [m/s], measured at `t` [s].
+  /// Verdict on the velocity `v_B` [m/s], measured at `t` [s].
   [[nodiscard]] Verdict Judge(double t, const Eigen::Vector3d& v_B,
                               const VelocityEvidence& evidence = {}) {
     if (!(v_B.norm() <= params_.fastest.value())) return Verdict::kRefused;
@@ -86,7 +86,7 @@ class VelocityGate {
     double t;
     Eigen::Vector3d v_B;
   };
-  /// Of a sample that goes on as the refused ones.
+  /// Verdict on a sample that goes on as the refused ones did.
   Verdict JudgeContest(const Sample& sample) {
     const bool is_proven =
         last_->t - good_since_ >= params_.proven.value() && !AgreesLevel(sample, *last_);
@@ -116,7 +116,8 @@ class VelocityGate {
     refused_.reset();
     return verdict;
   }
-  /// As one of the last two: one of them may have been an outlier that was allowed.
+  /// True if the sample is like one of the last two: one of them may have been an outlier that was
+  /// allowed.
   [[nodiscard]] bool IsAsLately(const Sample& sample) const {
     const bool is_fresh =
         before_last_ && sample.t - before_last_->t <= params_.longest_growth.value();
@@ -134,7 +135,8 @@ class VelocityGate {
     is_denied_ =
         evidence.felt_B && (*evidence.felt_B - last_->v_B).norm() < params_.felt_share * claimed;
   }
-  /// To `refused` than to the last good one, whose allowance has grown since.
+  /// True if the sample is nearer to `refused` than to the last good one, whose allowance has grown
+  /// since.
   [[nodiscard]] bool IsNearer(const Sample& sample, const Sample& refused) const {
     return (sample.v_B - refused.v_B).squaredNorm() < (sample.v_B - last_->v_B).squaredNorm();
   }

@@ -100,8 +100,8 @@ class WaterModel {
   [[nodiscard]] Eigen::Vector2d VelocityAt(double t, const Conduct& conduct) const;
   /// Variance of each axis of VelocityAt, their mean [m^2/s^2].
   [[nodiscard]] double VarianceAt(double t, const Conduct& conduct) const;
-  /// Of (current north, current east, speed ahead) at `t`, with what the model leaves out
-  /// [m^2/s^2]: what a bridge from there is off.
+  /// Covariance of (current north, current east, speed ahead) at `t`, with what the model leaves
+  /// out [m^2/s^2]: what a bridge from there is off.
   [[nodiscard]] Eigen::Matrix3d BridgeCovariance(double t, const Conduct& conduct) const;
   /// How these change from `from` to `to`, `seconds` later.
   [[nodiscard]] BridgeDrift BridgeChange(double seconds, const Conduct& from,
@@ -141,7 +141,7 @@ class WaterModel {
     int count = 0;
   };
   using Observation = Eigen::Matrix<double, 2, 6>;
-  /// With what is known before a first velocity.
+  /// Begins anew with what is known before a first velocity.
   void Begin(bool is_driven);
   /// Velocity ahead and abeam of a state.
   [[nodiscard]] static Observation ObservationOf(const Conduct& conduct);
@@ -162,9 +162,10 @@ class WaterModel {
   [[nodiscard]] double AgeAt(double t) const;
   /// Share of a change of what the thrusters make that may be untrue, squared.
   [[nodiscard]] double UntrueShare() const;
-  /// Of speed ahead and abeam, since the last velocity: what the thrusters' sheet may be off.
+  /// Variance of speed ahead and abeam, since the last velocity: what the thrusters' sheet may be
+  /// off.
   [[nodiscard]] Eigen::Vector2d DrivenVariance(const Conduct& conduct) const;
-  /// Of the speed ahead: what it may have been told to change.
+  /// Variance of the speed ahead: what it may have been told to change.
   [[nodiscard]] double ManeuverVariance(double seconds) const;
   /// Share of speed abeam, and of speed ahead beside the thrusters', that is left at `t`.
   [[nodiscard]] double KeepAt(double t) const;

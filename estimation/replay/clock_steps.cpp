@@ -142,7 +142,7 @@ class ClockMender {
                     "{:.1f} s in all",
                     name_, first_jump_, jumps_, jumped_));
   }
-  /// Until attitude and depth have been said again.
+  /// The attitude and depth that are said together with row `i`.
   [[nodiscard]] AttitudeAndDepth AttitudeAndDepthFrom(std::size_t i) const {
     AttitudeAndDepth next;
     const double t = StampOf(rows_[i]);
@@ -217,7 +217,7 @@ class ClockMender {
     if (std::isfinite(t) && (!newest_ || (t > *newest_ && t < *newest_ + kAhead))) newest_ = t;
     newest_at_.push_back(newest_.value_or(t));
   }
-  /// By the last stretch that holds it.
+  /// A source's time after mending [s], by the last stretch that holds `t`.
   [[nodiscard]] double MendedSource(double t) const {
     const auto holds = [t](const Stretch& stretch) { return t >= stretch.from - kTogether; };
     const auto last = std::find_if(stretches_.rbegin(), stretches_.rend(), holds);

@@ -240,7 +240,7 @@ class RawlogParser {
   }
 
  private:
-  /// Where to go on.
+  /// Takes the object at byte `at`; returns the byte at which to go on.
   std::size_t TakeObject(std::size_t at) {
     const std::string_view rest = bytes_.substr(at);
     const std::string_view kind = ClassAt(rest);

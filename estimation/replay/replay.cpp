@@ -105,7 +105,7 @@ class Replayer {
   }
 
  private:
-  /// Of the box among the detector's.
+  /// Number of the observation's box among the detector's boxes of its frame.
   [[nodiscard]] int NumberOf(const Observation& one) const {
     const auto frame = numbers_.find(one.frame);
     return frame == numbers_.end() ? one.detection

@@ -24,7 +24,7 @@ struct Contradiction {
   std::string key;  ///< of meta.csv
   std::string in_meta, in_vehicle;
 };
-/// Of the keys that meta.csv says.
+/// Contradictions between the vehicle and those keys that meta.csv says.
 [[nodiscard]] std::vector<Contradiction> Contradictions(const StreamMeta& meta,
                                                         const VehicleGeometry& vehicle);
 

@@ -77,7 +77,8 @@ class ArrowChain {
   void CloseWhatIsDue(const std::vector<double>& border);
   /// Landmarks and sizes that have not been needed for long leave it until they are.
   void RestWhatIsIdle(const std::vector<double>& border);
-  /// By slot: true if a term or prior on it does not belong to a single variable of the border.
+  /// For each slot whether a term or prior on it does not belong to a single variable of the
+  /// border.
   [[nodiscard]] std::vector<bool> IsTiedInBorder() const;
   /// True if a variable that stays in the border has a term on it.
   [[nodiscard]] bool IsNamedByOthers(int slot) const;

@@ -21,7 +21,7 @@ class ArrowEstimates {
   void AddAnchor(const NavVector& x);
   /// A new solution begins with the root's; what was filled in before is old.
   void Take(const ArrowRoot& root);
-  /// To be called when a leaf has been linearised anew.
+  /// Forgets the leaf's estimates; to be called when a leaf has been linearised anew.
   void ForgetLeafEstimates() { estimated_leaf_.reset(); }
   /// Border estimates in place of those of the last solve, three per slot.
   void SetBorder(const std::vector<double>& border) { border_ = border; }
@@ -32,10 +32,10 @@ class ArrowEstimates {
   /// True if the root knew the variable in the last solve.
   [[nodiscard]] bool IsSolved(int slot) const { return is_solved_[AsIndex(slot)]; }
   [[nodiscard]] NavVector PoseAt(int node) const;
-  /// As filled in last.
+  /// Estimate of an anchor, as it was filled in last.
   [[nodiscard]] const NavVector& Anchor(int i) const { return anchors_[AsIndex(i)]; }
   [[nodiscard]] const NavVector& LastAnchor() const { return anchors_.back(); }
-  /// Of all poses of a leaf, ends included.
+  /// Estimates of all poses of a leaf, its ends included.
   [[nodiscard]] const std::vector<NavVector>& LeafEstimates(int leaf) const;
   /// Fills in what the stretch has eliminated. REQUIRES: its ends are filled in.
   void SolveStretch(const ArrowStretch& stretch) const;

@@ -42,7 +42,7 @@ class ArrowLeaf {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& linearised() const { return linearised_; }
   [[nodiscard]] const NavVector& x_anchor() const { return x_anchor_; }
   [[nodiscard]] const NavVector& x_head() const { return x_head_; }
-  /// Of (head, anchor, blocks), without terms of the head.
+  /// Message over (head, anchor, blocks), without terms of the head.
   [[nodiscard]] const ArrowMessage& message() const { return message_; }
   /// Estimates of the poses between, newest first to oldest, given the ends and the border.
   template <class Take>

@@ -37,8 +37,8 @@ class ArrowRoot {
   [[nodiscard]] const std::vector<int>& slots() const;
   /// Joint covariance of the head pose (first six) and of blocks of the border (three each).
   [[nodiscard]] Eigen::MatrixXd Covariance(const std::vector<int>& slots) const;
-  /// Of the last anchor (first six), the border in the order of `slots()` and the head (last six):
-  /// the anchor again while the newest leaf is empty.
+  /// Covariance of the last anchor (first six), the border in the order of `slots()` and the head
+  /// (last six): the anchor again while the newest leaf is empty.
   [[nodiscard]] Eigen::MatrixXd WholeCovariance() const;
   /// Directions of the head pose (NavIndex) that nothing observes.
   [[nodiscard]] const std::vector<int>& held() const { return held_; }

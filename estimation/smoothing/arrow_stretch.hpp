@@ -47,7 +47,7 @@ struct ArrowStretch {
   std::vector<int> middle_slots;  ///< blocks that it depends on, after the end and the begin
   std::vector<Block> blocks;      ///< eliminated after it, in this order
 
-  /// Of a leaf that is closed.
+  /// The stretch of a leaf that is closed.
   [[nodiscard]] static ArrowStretch Of(const ArrowLeaf& leaf, int number,
                                        const ArrowOrigin& origin);
   /// Before the first leaf: only the first anchor, nothing known of it.

@@ -28,7 +28,7 @@ class ArrowTree {
 
   /// `leaf` is the one after the last; its end is at the last of the origin's anchors.
   void Append(ArrowLeaf leaf);
-  /// In place of a former version. The tree knows of it once it is refreshed.
+  /// Puts a leaf in place of its former version. The tree knows of it once it is refreshed.
   void Replace(int number, ArrowLeaf leaf);
   /// Joins anew at once all that has to do with these leaves.
   void RefreshNow(const std::vector<int>& leaves);

@@ -16,7 +16,7 @@ Eigen::Matrix3d Exp(const Eigen::Vector3d& rotation) {
   return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
 }
 
-/// Of Exp, for rotations of a few degrees: to third order.
+/// Right Jacobian of Exp, for rotations of a few degrees: to third order.
 Eigen::Matrix3d RightJacobian(const Eigen::Vector3d& rotation) {
   const Eigen::Matrix3d S = CrossMatrixOf(rotation);
   return Eigen::Matrix3d::Identity() - 0.5 * S + S * S / 6.0;

@@ -54,7 +54,7 @@ class ChainGraph {
   void RemoveBorderVariable(int slot);
   /// REQUIRES: `term` is on border variables alone, this the first of them.
   void AddBorderTerm(int slot, Term term);
-  /// In place of all that were added with this slot.
+  /// Replaces all terms that were added with this slot.
   void SetBorderTerms(int slot, std::vector<Term> terms);
   /// Takes the place of the former one; nothing takes it away. A landmark that is removed leaves
   /// it. REQUIRES: it names landmarks in use, each once.

@@ -27,7 +27,7 @@ class CovarianceDescent {
   [[nodiscard]] auto S() const { return S_.topLeftCorner(n_, n_); }
   [[nodiscard]] Eigen::Index RowOf(int node) const { return poses_.at(node); }
   [[nodiscard]] Eigen::Index RowOfBlock(int slot) const { return blocks_.at(slot); }
-  /// Of the stretch's ends and the blocks that it depends on alone.
+  /// Descent to the stretch's ends and to the blocks that it depends on alone.
   [[nodiscard]] CovarianceDescent At(const ArrowStretch& stretch) const;
 
   /// Adds what the stretch eliminated. REQUIRES: its ends and blocks are there.

@@ -10,14 +10,14 @@
 
 namespace limpet {
 
-/// By a pose and N border variables.
+/// Derivatives of a residual by a pose and N border variables.
 template <int kRows, std::size_t N>
 struct ObservationJacobians {
   Eigen::Matrix<double, kRows, 6> pose;
   std::array<Eigen::Matrix<double, kRows, 3>, N> border;
 };
 
-/// By two neighbouring poses and N border variables.
+/// Derivatives of a residual by two neighbouring poses and N border variables.
 template <int kRows, std::size_t N>
 struct StepJacobians {
   Eigen::Matrix<double, kRows, 6> previous, pose;

@@ -19,19 +19,19 @@ struct VariableList {
 [[nodiscard]] JointCovariance CovarianceOf(const VariableList& variables, const ArrowChain& chain,
                                            const ArrowEstimates& estimates, const ArrowRoot& root);
 
-/// Of border variables, each alone, in the order of the list: far less work than all together where
-/// many rest. REQUIRES: an update has been.
+/// Covariances of border variables, each alone, in the order of the list: far less work than all
+/// together where many rest. REQUIRES: an update has been.
 [[nodiscard]] std::vector<Eigen::Matrix3d> BorderCovariances(const std::vector<int>& slots,
                                                              const ArrowChain& chain,
                                                              const ArrowEstimates& estimates,
                                                              const ArrowRoot& root);
 
-/// Of all poses, each alone: down the tree once, with what the leaves below depend on.
+/// Covariances of all poses, each alone: down the tree once, with what the leaves below depend on.
 /// REQUIRES: an update has been.
 [[nodiscard]] std::vector<NavCovariance> PoseCovariances(const ArrowChain& chain,
                                                          const ArrowRoot& root);
 
-/// Of the newest pose and border variables that are not closed: the root's alone.
+/// Joint covariance of the newest pose and border variables that are not closed: the root's alone.
 [[nodiscard]] JointCovariance HeadCovariance(const std::vector<int>& slots,
                                              const ArrowEstimates& estimates,
                                              const ArrowRoot& root);

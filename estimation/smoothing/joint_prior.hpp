@@ -15,7 +15,7 @@ class JointPrior {
   /// REQUIRES: sizes agree; covariance symmetric and positive definite.
   JointPrior(std::vector<int> slots, Eigen::VectorXd mean, Eigen::MatrixXd covariance);
 
-  /// Of the other landmarks alone: `slot` is no longer asked about.
+  /// The prior of the other landmarks alone: `slot` is no longer asked about.
   [[nodiscard]] JointPrior Without(int slot) const;
 
   [[nodiscard]] const std::vector<int>& slots() const { return slots_; }

@@ -48,7 +48,8 @@ class Smoother {
   virtual void RemoveLandmark(int landmark) = 0;
   /// A term on border variables alone, of which `slot` is the first.
   virtual void AddBorderTerm(int slot, Term term) = 0;
-  /// In place of all that were added so with this slot, which is not closed; on the same variables.
+  /// Replaces all terms that were added so with this slot, which is not closed; on the same
+  /// variables.
   virtual void SetBorderTerms(int slot, std::vector<Term> terms) = 0;
   /// What is known beforehand of several landmarks together; takes the place of the former one.
   virtual void SetJointPrior(std::optional<JointPrior> prior) = 0;
@@ -73,7 +74,7 @@ class Smoother {
   /// Estimates as of the last Update.
   [[nodiscard]] virtual NavVector PoseAt(int node) const = 0;
   [[nodiscard]] virtual Eigen::Vector3d BorderAt(int slot) const = 0;
-  /// Of the newest pose and border variables; at hand at any time.
+  /// Joint covariance of the newest pose and border variables; at hand at any time.
   [[nodiscard]] virtual JointCovariance Covariance(const std::vector<int>& slots) const = 0;
   /// Of any poses of the chain, however far back, and any border variables; exact where the factors
   /// are linearised. Takes longer than Covariance, the more so the more poses are asked for. A
@@ -81,10 +82,11 @@ class Smoother {
   /// nodes.
   [[nodiscard]] virtual JointCovariance CovarianceOf(const std::vector<int>& nodes,
                                                      const std::vector<int>& slots) const = 0;
-  /// Of border variables, each alone.
+  /// Covariances of border variables, each alone.
   [[nodiscard]] virtual std::vector<Eigen::Matrix3d> BorderCovariances(
       const std::vector<int>& slots) const = 0;
-  /// Of all poses that the last Update knew, each alone: work that grows as their number does.
+  /// Covariances of all poses that the last Update knew, each alone: work that grows as their
+  /// number does.
   [[nodiscard]] virtual std::vector<NavCovariance> PoseCovariances() const = 0;
   [[nodiscard]] NavCovariance PoseCovariance(int node) const { return CovarianceOf({node}, {}); }
 };

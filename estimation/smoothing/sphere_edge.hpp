@@ -35,8 +35,8 @@ struct SphereExtent {
   double low, centre, high;
 };
 
-/// Of a sphere about `p_C` [m]. One that is next to the camera, or holds it, ends far outside any
-/// image, but somewhere.
+/// Extent of a sphere about `p_C` [m]. One that is next to the camera, or holds it, ends far
+/// outside any image, but somewhere.
 [[nodiscard]] SphereExtent ExtentOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
                                           double radius, int axis);
 

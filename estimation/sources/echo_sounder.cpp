@@ -57,7 +57,7 @@ class EchoSounder final : public MeasurementSource {
     return Sounding{.p_BS = {place.x, place.y, place.z}, .range = one.sensedDistance};
   }
 
-  /// Of the pose a range to ground that nobody knows says nothing.
+  /// A range to ground that nobody knows says nothing of the pose.
   [[nodiscard]] std::optional<Term> Measure(const mrpt::obs::CObservation& /*seen*/,
                                             int /*errors*/) override {
     return std::nullopt;

@@ -27,7 +27,7 @@ cv::Vec3f DrawWater(Random& random) {
   return color;
 }
 
-/// From a colour above to one below, with slow clouds of light.
+/// Paints water from a colour above to one below, with slow clouds of light.
 void PaintWater(StudioCanvas& canvas, Random& random) {
   const bool looks_ahead = random.Chance(0.7);
   const auto above = static_cast<float>(looks_ahead ? DrawLog(0.8, 3.0, random) : 1.0);

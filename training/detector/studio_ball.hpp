@@ -21,12 +21,13 @@ struct StudioBall {
 
   /// Distance from the middle in radii: 1 on the outline.
   [[nodiscard]] double ScaleAt(double u, double v) const;
-  /// Around its whole outline.
+  /// Box around the ball's whole outline.
   [[nodiscard]] cv::Rect2d Outline() const;
 };
 
 [[nodiscard]] StudioBall DrawBall(Random& random);
-/// With shading, gloss, band and growth, behind water; often on a post or a rope, with a collar.
+/// Paints a ball with shading, gloss, band and growth, behind water; often on a post or a rope,
+/// with a collar.
 void PaintBall(StudioCanvas& canvas, const StudioBall& ball, Random& random);
 
 }  // namespace limpet

@@ -20,7 +20,7 @@ cv::Point Fixed(const cv::Point2f& point, const cv::Rect& area) {
           cvRound((point.y - static_cast<float>(area.y)) * kScale)};
 }
 
-/// Around the points and `margin` more, within the canvas.
+/// The area around the points and `margin` more, within the canvas.
 cv::Rect AreaOf(std::span<const cv::Point2f> points, double margin) {
   float left = 1e9F;
   float right = -1e9F;

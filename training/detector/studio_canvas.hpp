@@ -22,7 +22,7 @@ struct StudioCanvas {
   float brightness = 0.8F;               ///< of light on things
 };
 
-/// Between `low` and `high`, likelier to be small.
+/// A number drawn between `low` and `high`, likelier to be small.
 [[nodiscard]] double DrawLog(double low, double high, Random& random);
 [[nodiscard]] cv::Point2f DrawPlace(Random& random);
 /// A paint as it may be made, aged and lit: that of `name` in the table with another shade.

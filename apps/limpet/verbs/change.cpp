@@ -68,7 +68,8 @@ std::string NameOfSession(std::size_t index) {
   return fmt::format("session {}", static_cast<char>('A' + static_cast<char>(index)));
 }
 
-/// In order of time. Throws UsageError if one is left out, ConfigError if one is damaged.
+/// The sessions in order of time. Throws UsageError if one is left out, ConfigError if one is
+/// damaged.
 std::vector<SavedSession> SessionsOf(const Arguments& given) {
   std::vector<SavedSession> sessions;
   std::optional<char> missing;

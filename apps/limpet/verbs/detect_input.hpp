@@ -33,11 +33,12 @@ class DrawingNames {
   DrawingNames(const std::vector<DetectInput>& inputs, const std::filesystem::path& table,
                std::optional<std::filesystem::path> folder);
 
-  /// Of the input with this index; empty for a video, and where no drawings are wanted.
+  /// File that the drawing of the input with this index goes to; empty for a video, and where no
+  /// drawings are wanted.
   [[nodiscard]] const std::filesystem::path& OfImage(std::size_t index) const {
     return images_[index];
   }
-  /// Of a video's picture. REQUIRES: drawings are wanted.
+  /// File that the drawing of a video's picture `number` goes to. REQUIRES: drawings are wanted.
   [[nodiscard]] std::filesystem::path OfFrame(const std::filesystem::path& video, int number);
   [[nodiscard]] bool are_wanted() const { return folder_.has_value(); }
 

@@ -29,7 +29,7 @@ bool Launches(const MissionFile& mission, std::string_view app) {
   return std::ranges::find(apps, app) != apps.end();
 }
 
-/// Without these a flight says nothing of the mission.
+/// Refuses a mission that lacks one of the apps without which a flight says nothing of it.
 void RequireApps(const MissionFile& mission) {
   for (const std::string_view needed :
        {"uSimVehicle", "uSimSensors", "uSimCamera", "pSurvey", "pHelm", "pSafety"}) {

@@ -127,7 +127,7 @@ void SayContradictions(const Arguments& given, const StreamMeta& meta, const Veh
   }
 }
 
-/// Of the file that `--vehicle` names, or of meta.csv; the error says what it lacks.
+/// Parameters from the file that `--vehicle` names, or from meta.csv; the error says what it lacks.
 Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) {
   const SensorStream& stream = input.stream;
   if (const auto file = given.Find("vehicle")) {

@@ -18,7 +18,8 @@ struct NavInput {
   std::vector<TimedPlace> own_places;  ///< ... and where it took itself to be
 };
 
-/// Of a recording of any kind. Throws Refusal that says what lacks where no track can be reckoned.
+/// Input from a recording of any kind. Throws Refusal that says what lacks where no track can be
+/// reckoned.
 [[nodiscard]] Expected<NavInput> LoadNavInput(const Arguments& given);
 
 /// How far the track lies from the vehicle's own, for the summary; empty without such.

@@ -62,7 +62,7 @@ AppContext ContextOf(const fs::path& journal) {
           .session = fs::absolute(journal).parent_path().filename().string()};
 }
 
-/// Of a copy in `scratch`: however this ends, the journal is as it was.
+/// Ends the life in a copy in `scratch`: however this ends, the journal is as it was.
 CutLife EndLife(const AppContext& context, const ConfigBlock& block, const fs::path& journal,
                 const ScratchFolder& scratch, std::span<const Message> last_mail = {}) {
   const fs::path copy = scratch.path() / journal.filename();

@@ -129,7 +129,7 @@ bool KeepBounds(const TablesCommand& command, const Expectations& expected) {
   return is_enough;
 }
 
-/// With the options of the runs.
+/// The mission to be flown, with the settings that the options of its runs make.
 MissionFile MissionOf(const TablesCommand& command) {
   MissionFile mission = LoadMission(command.mission_folder / "mission.moos");
   constexpr std::string_view kSet = "--set=";

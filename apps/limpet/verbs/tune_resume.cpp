@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of how a search is run and shown, not of what it finds.
+/// Options that say how a search is run and shown, not what it finds.
 constexpr std::array kOfThisCall{"--jobs", "--runner", "--runner-options", "--keep-runs", "--json"};
 /// What the folder is said by.
 constexpr std::array kFolders{"--out", "--resume"};
@@ -28,7 +28,7 @@ bool IsAmong(const CommandOption& option, const std::array<const char*, N>& name
   return std::ranges::find(names, option.names) != names.end();
 }
 
-/// As code asks for it.
+/// Name by which code asks for the value of an option: the long one, without its dashes.
 std::string NameOf(const CommandOption& option) {
   const std::string from = option.names.substr(option.names.find("--") + 2);
   return from.substr(0, from.find(','));

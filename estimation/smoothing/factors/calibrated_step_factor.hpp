@@ -53,7 +53,7 @@ class CalibratedStepFactor {
   using Residual = Eigen::Matrix<double, kDim, 1>;
   using Jacobian = Eigen::Matrix<double, kDim, 6>;
   using BorderJacobian = Eigen::Matrix<double, kDim, 3>;
-  /// By the poses; slow errors and mount.
+  /// Derivatives by the two poses, and by slow errors and mount.
   using Jacobians = StepJacobians<kDim, 2>;
 
   CalibratedStepFactor(const Eigen::Vector4d& motion, const Eigen::Vector4d& variance,

@@ -19,7 +19,7 @@ class CameraErrorsFactor {
   using Residual = typename F::Residual;
   using Jacobian = typename F::Jacobian;
   using BorderJacobian = typename F::BorderJacobian;
-  /// By the pose; landmark, tilt and shift.
+  /// Derivatives by the pose, and by landmark, tilt and shift.
   using Jacobians = ObservationJacobians<kDim, 3>;
 
   /// `camera`: as its file says; must outlive the factor.

@@ -25,12 +25,12 @@ class CutAxisFactor : public CameraFactor<CutAxisFactor, 2> {
   CutAxisFactor(const CameraModel& camera, Meters radius, const Measurement& seen)
       : CameraFactor(camera), radius_(radius.value()), seen_(seen) {}
 
-  /// Of a point in the camera's frame, with the derivative by it.
+  /// Residual of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     Residual J_size;
     return InCamera(p_C, 0.0, J_C, J_size);
   }
-  /// For a sphere exp(log_size) times as large, also with the derivative by that.
+  /// Residual for a sphere exp(log_size) times as large, also with the derivative by that.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, double log_size, BorderJacobian& J_C,
                                   Residual& J_size) const {
     J_C.setZero();

@@ -47,7 +47,7 @@ class ObjectSizeFactor {
   using Residual = typename F::Residual;
   using Jacobian = typename F::Jacobian;
   using BorderJacobian = typename F::BorderJacobian;
-  /// By the pose; landmark, tilt, shift and sizes.
+  /// Derivatives by the pose, and by landmark, tilt, shift and sizes.
   using Jacobians = ObservationJacobians<kDim, 4>;
 
   /// `camera`: as its file says; must outlive the factor. `index` of the size in the variable;

@@ -26,12 +26,12 @@ class RangeFactor : public CameraFactor<RangeFactor, 1> {
         inv_sigma_(1.0 / sigma.value()),
         planes_(planes) {}
 
-  /// Of a point in the camera's frame, with the derivative by it.
+  /// Residual of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     Residual J_size;
     return InCamera(p_C, 0.0, J_C, J_size);
   }
-  /// For a sphere exp(log_size) times as large, also with the derivative by that.
+  /// Residual for a sphere exp(log_size) times as large, also with the derivative by that.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, double log_size, BorderJacobian& J_C,
                                   Residual& J_size) const {
     const double xz = std::max(std::hypot(p_C.x(), p_C.z()), 1e-6);

@@ -16,7 +16,7 @@ class ReprojectionFactor : public CameraFactor<ReprojectionFactor, 2> {
                      const Eigen::Vector2d& sigma_px)
       : CameraFactor(camera), measured_(measured_px), inv_sigma_(sigma_px.cwiseInverse()) {}
 
-  /// Of a point in the camera's frame, with the derivative by it.
+  /// Residual of a point in the camera's frame, with the derivative by it.
   [[nodiscard]] Residual InCamera(const Eigen::Vector3d& p_C, BorderJacobian& J_C) const {
     J_C.setZero();
     Residual r = Residual::Constant(kLost_px).cwiseProduct(inv_sigma_);

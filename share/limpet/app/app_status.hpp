@@ -24,7 +24,7 @@ class AppStatus {
   [[nodiscard]] const std::string& variable() const { return variable_; }
   /// The processor load is that since the last call.
   [[nodiscard]] std::string Text(std::int64_t iteration, const LiveLink& link);
-  /// Of a process that is no client: `now` is its MOOS time.
+  /// Status of a process that is no client: `now` is its MOOS time.
   [[nodiscard]] std::string Text(std::int64_t iteration, Seconds now);
 
  private:

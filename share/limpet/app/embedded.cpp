@@ -65,7 +65,7 @@ class EmbeddedCommunity::Impl {
     }
   }
 
-  /// To the database, and to who observes it.
+  /// Writes to the database, and tells the message to whoever observes it.
   void Write(Message message) {
     const std::string variable = message.name;
     const Database::WriteResult result = database_.Write(std::move(message), now());

@@ -45,10 +45,10 @@ class HeartbeatMonitor {
  public:
   HeartbeatMonitor();
 
-  /// To be inherited by the process.
+  /// Descriptor of the shared page, to be inherited by the process that is watched.
   [[nodiscard]] int descriptor() const { return memory_.descriptor(); }
   [[nodiscard]] std::uint64_t count() const;
-  /// For a new process.
+  /// Starts anew for another process.
   void Reset();
 
  private:

@@ -18,7 +18,7 @@ namespace limpet {
 /// What fails of the disk now; of several the fault that lets least through.
 [[nodiscard]] FailingFileSystem::Fault DiskFaultOf(const FaultSchedule& schedule);
 
-/// As both sides see it.
+/// The page of memory that host and processes share, as both sides see it.
 struct HostFaultPage {
   FailingFileSystem::State disk;
   std::atomic<double> wall_ahead{0.0};  ///< of the machine's own [s]
@@ -54,10 +54,10 @@ class HostFaultControl {
  public:
   HostFaultControl();
 
-  /// To be inherited by the processes.
+  /// Descriptor of the shared page, to be inherited by the processes.
   [[nodiscard]] int descriptor() const { return memory_.descriptor(); }
   void FailDisk(FailingFileSystem::Fault fault);
-  /// From now on it has so much room left [bytes], or what it has.
+  /// From now on the disk has so much room left [bytes], or what it has.
   void LimitDisk(std::optional<std::uint64_t> bytes);
   void SetWallAhead(Seconds ahead);
 

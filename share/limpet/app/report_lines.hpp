@@ -39,7 +39,7 @@ class ReportLines {
   void Pair(std::string_view name, std::string_view value);
   void Add(const ReportTable& table);
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
-  /// For tests and terminals: the lines, each with its line feed.
+  /// The lines, each with its line feed, for tests and terminals.
   [[nodiscard]] std::string Text() const;
 
  private:

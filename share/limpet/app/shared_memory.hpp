@@ -24,8 +24,8 @@ class SharedMemory {
 
   /// Null if there is none.
   [[nodiscard]] void* data() const { return data_; }
-  /// To be inherited by a process; closed in all others. -1 if there is none, and of one that was
-  /// inherited.
+  /// Descriptor to be inherited by a process; closed in all others. -1 if there is none, and of one
+  /// that was inherited.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
  private:

@@ -34,7 +34,7 @@ class StampGuard {
   /// Judges a stamp of `variable`, at `now`. kGoodAgain: the first one after a refusal and then
   /// kQuiet.
   [[nodiscard]] Verdict Judge(const std::string& variable, Seconds stamp, Seconds now);
-  /// By variable, of those that were ever refused.
+  /// Refusals by variable, for variables that were ever refused.
   [[nodiscard]] const std::map<std::string, Refused>& refused() const { return refused_; }
 
  private:

@@ -27,7 +27,7 @@ class WarningBoard {
   Change Raise(const WarningId& id, const std::string& text, Seconds now);
   /// False if it does not stand.
   bool Clear(const WarningId& id);
-  /// By id.
+  /// Warnings that stand now, by id.
   [[nodiscard]] const std::map<std::string, StandingWarning>& standing() const { return standing_; }
   /// The value of <APP>_WARNINGS if it is to be written now; counts as written.
   [[nodiscard]] std::optional<std::string> TakeNews(Seconds now);

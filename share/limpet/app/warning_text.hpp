@@ -35,7 +35,8 @@ struct ToldWarning {
 /// `ID (severity): text; ID (severity): text` by id, or `none`. A semicolon in a text becomes a
 /// comma, so that the list can be taken apart again.
 [[nodiscard]] std::string EncodeWarnings(const std::map<std::string, StandingWarning>& warnings);
-/// By id. What names no severity is a warning; what has no `: ` is taken for an id without a text.
+/// Warnings by id. What names no severity is a warning; what has no `: ` is taken for an id without
+/// a text.
 [[nodiscard]] std::map<std::string, ToldWarning> DecodeWarnings(std::string_view text);
 
 }  // namespace limpet

@@ -42,7 +42,7 @@ struct TrialPlan {
   int pictures_per_world = 20;
   double least_visibility_m = 2.5;
   double most_visibility_m = 15.0;
-  /// Of all things; names of `color_table.hpp`, not empty.
+  /// Colours that balls and other things have; names of `color_table.hpp`, not empty.
   std::vector<std::string> colors{"yellow", "orange", "red", "green", "white", "blue"};
   std::uint64_t seed = 1;
 };

@@ -43,7 +43,7 @@ class HistoryKeeper {
   }
 
  private:
-  /// Of two sessions, made once.
+  /// The comparison of two sessions, made once and kept.
   const SessionComparison& Between(std::size_t former, std::size_t now) {
     const auto known = comparisons_.find({former, now});
     if (known != comparisons_.end()) return known->second;

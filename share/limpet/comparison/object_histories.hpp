@@ -44,7 +44,7 @@ struct SessionSeries {
 [[nodiscard]] SessionSeries CompareSeries(const std::vector<SavedSession>& sessions,
                                           const std::optional<std::string>& mission = {});
 
-/// In words: "seen in 1, removed in 2, back in 3".
+/// An object's history in words: "seen in 1, removed in 2, back in 3".
 [[nodiscard]] std::string StoryOf(const ObjectHistory& object);
 
 /// The last step as Json(SessionComparison) has it, by these two sessions alone, then all steps and

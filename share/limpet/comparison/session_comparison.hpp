@@ -19,7 +19,7 @@ struct SessionComparison {
   std::vector<OpiBelief> objects;             ///< of either; their places in B's frame
   std::map<int, Eigen::Vector3d> former_W{};  ///< where A's objects were, by id, in B's frame
 
-  /// Where a moved object stood before; nothing for others.
+  /// Where a moved object stood before [m]; nothing for others.
   [[nodiscard]] std::optional<Eigen::Vector3d> MovedFrom_W(const OpiBelief& object) const;
 };
 

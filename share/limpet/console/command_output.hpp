@@ -27,10 +27,10 @@ class CommandOutput {
                 const std::filesystem::path& input);
   CommandOutput(const CommandOutput&) = delete;
   CommandOutput& operator=(const CommandOutput&) = delete;
-  /// Without Commit nothing is left of a file.
+  /// Where Commit was not called, nothing is left of a file.
   ~CommandOutput();
 
-  /// As it is. Throws std::runtime_error if it cannot be written.
+  /// Writes `bytes` as they are. Throws std::runtime_error if they cannot be written.
   void Write(std::string_view bytes);
   /// Whole lines that come from elsewhere, without the last end of line: as they are into a file or
   /// a pipe; on a terminal with nothing in them that a terminal obeys.

@@ -21,7 +21,7 @@ struct LaunchWord {
   std::string last;  ///< how it last ended; empty: it has not
   bool is_database = false;
 };
-/// By name. Text that is none of pLaunch's gives nothing.
+/// Words of pLaunch by process name. Text that is none of pLaunch's gives nothing.
 [[nodiscard]] std::map<std::string, LaunchWord> ParseLaunchStatus(std::string_view text);
 
 /// One process of a community.
@@ -42,7 +42,7 @@ class CommunityStatus {
   /// Processes that should be there; a database needs no mention.
   void Expect(const MissionFile& mission);
   void Hear(const Message& message);
-  /// Before asking anew who is there.
+  /// Forgets who is there, to be called before asking anew.
   void ForgetProcesses() { present_.clear(); }
   /// A client that does not count: the one who asks.
   void Ignore(const std::string& name) { ignored_ = name; }

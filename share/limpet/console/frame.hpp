@@ -26,14 +26,14 @@ class FrameLine {
   FrameLine& AddNumber(std::string_view text, std::size_t width, Ink ink = Ink::kPlain);
   /// Cuts or fills to `width` columns in all.
   FrameLine& FitTo(std::size_t width);
-  /// For a terminal that reads no UTF-8: characters beyond ASCII by their numbers.
+  /// Writes characters beyond ASCII by their numbers, for a terminal that reads no UTF-8.
   FrameLine& MakeAscii();
   /// The whole line in one ink.
   FrameLine& PaintAll(Ink ink);
 
   [[nodiscard]] std::size_t columns() const;
   [[nodiscard]] const std::vector<Span>& spans() const { return spans_; }
-  /// Without ink and without blanks at its end.
+  /// The line's text without ink and without blanks at its end.
   [[nodiscard]] std::string PlainText() const;
 
  private:

@@ -22,7 +22,7 @@ std::string Bar(double done, std::size_t width) {
   return std::string(filled, '#') + std::string(width - filled, '.');
 }
 
-/// Of the terminal as it is now: its user may have changed it.
+/// Columns of the terminal as it is now: its user may have changed it.
 std::size_t ColumnsOfTerminal(std::FILE* out) {
   winsize size{};
   const bool is_known = ::ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

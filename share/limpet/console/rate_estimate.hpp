@@ -15,7 +15,7 @@ class RateEstimate {
   void Note(Seconds now);
   /// Hz; 0 until there are two events.
   [[nodiscard]] double At(Seconds now) const;
-  /// Since the first.
+  /// How many events there were since the first.
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
  private:

@@ -37,7 +37,7 @@ struct KeptValue {
 
   [[nodiscard]] static KeptValue Of(const Value& value);
   [[nodiscard]] bool operator==(const KeptValue& other) const = default;
-  /// Without what lies behind `bytes`.
+  /// The value without what lies behind its first `bytes`.
   [[nodiscard]] KeptValue Shortened(std::size_t bytes) const;
 };
 

@@ -13,7 +13,7 @@ struct ValueRule {
   std::function<bool(const std::string&)> accepts{};  ///< none: every value
 };
 
-/// Up to two thousand million.
+/// A whole number from `least` to `most`, which is two thousand million unless it is said.
 [[nodiscard]] ValueRule WholeNumber(int least, int most = 2'000'000'000);
 /// Both ends included; `unit` is said behind the range, e.g. `pictures a second`.
 [[nodiscard]] ValueRule NumberBetween(double least, double most, const std::string& unit = "");

@@ -16,7 +16,7 @@ class SpeedController {
   };
   SpeedController(const Gains& gains, const Hydrodynamics& hydro);
 
-  /// Over ground [m/s].
+  /// Speed that there is and that is wanted, over ground [m/s].
   struct Input {
     double speed = 0.0;
     double desired = 0.0;

@@ -25,8 +25,8 @@ struct CameraModel {
   Eigen::Matrix3d R_BC = LookingDown();
   Eigen::Vector3d p_BC = Eigen::Vector3d::Zero();  ///< lever arm in the body frame [m]
 
-  /// Of an image whose middle is the optical axis; `across` and `along`: full angles over its width
-  /// and height [rad].
+  /// Model of an image whose middle is the optical axis; `across` and `along`: full angles over its
+  /// width and height [rad].
   [[nodiscard]] static CameraModel FromFieldOfView(int width_px, int height_px, double across,
                                                    double along) {
     CameraModel camera;

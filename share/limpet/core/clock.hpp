@@ -29,14 +29,15 @@ struct ClockOrigin {
   std::int64_t ns = 0;
   bool operator==(const ClockOrigin&) const = default;
 };
-/// Of this process: as its environment says (`kClockOriginVariable`: whoever started the community
-/// puts it there), else the date when it is first asked for.
+/// Origin of this process's clock: as its environment says (`kClockOriginVariable`: whoever started
+/// the community puts it there), else the date when it is first asked for.
 [[nodiscard]] ClockOrigin OwnClockOrigin();
 inline constexpr const char* kClockOriginVariable = "LIMPET_CLOCK_ORIGIN";
-/// As text for an environment or the wire; reading it back gives nothing for what is none.
+/// The origin as text for an environment or the wire; reading it back gives nothing for what is
+/// none.
 [[nodiscard]] std::string TextOf(ClockOrigin origin);
 [[nodiscard]] std::optional<ClockOrigin> ParseClockOrigin(std::string_view text);
-/// Of the machine since it was started; clocks that share it count alike. Empty if unknown.
+/// Identity of the machine's present run; clocks that share it count alike. Empty if unknown.
 [[nodiscard]] std::string BootId();
 
 /// Seconds since 1970 as the vehicle counts them: never steps.

@@ -11,7 +11,7 @@ namespace limpet {
 void AddFoldersAbove(const std::filesystem::path& folder, const std::filesystem::path& wanted,
                      std::vector<std::filesystem::path>& found);
 
-/// Where the running program lies.
+/// Folder that the running program lies in.
 [[nodiscard]] std::filesystem::path RunningProgramFolder();
 
 /// Appends `wanted` of the folders around the running program, where `found` lacks it: of those

@@ -6,7 +6,7 @@
 
 namespace limpet {
 
-/// As this machine calls itself; nothing if it does not say.
+/// Name that this machine calls itself by; nothing if it does not say.
 [[nodiscard]] std::optional<std::string> HostName();
 
 }  // namespace limpet

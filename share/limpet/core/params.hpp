@@ -89,7 +89,7 @@ class ParamCollector {
   /// A text of a form of its own, e.g. `x,y:x,y` as `form`: `store` says whether it could be read.
   void Parsed(const char* name, const char* form, const char* help, const char* default_text,
               std::function<bool(std::string_view)> store);
-  /// As Parsed, one per line of the block.
+  /// A text as of Parsed that a block may say on several lines, once per line.
   void ParsedLines(const char* name, const char* form, const char* help,
                    std::function<bool(std::string_view)> store);
   /// Other names of the parameter declared last, as existing missions spell it.

@@ -29,7 +29,7 @@ MeritLine LineOf(const BiddenOption& option, std::string_view behavior, OptionOr
   return line;
 }
 
-/// Of two options' merits: what is less than this part of them is rounding.
+/// Part of two options' merits below which their difference is rounding.
 constexpr double kRounding = 1e-9;
 
 /// How two options compare over the weight of one behavior.

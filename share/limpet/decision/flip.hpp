@@ -28,7 +28,7 @@ struct Flip {
 /// differs.
 [[nodiscard]] std::optional<Flip> FlipOf(const HelmBids& bids, std::string_view behavior);
 
-/// Of every behavior that bid on any option, in the order of their bids, those that can.
+/// Flips that behaviors can make: of every one that bid on any option, in the order of their bids.
 [[nodiscard]] std::vector<Flip> FlipsOf(const HelmBids& bids);
 
 /// Behaviors that bid on any option, in the order of their bids.

@@ -22,7 +22,7 @@ struct ParameterOwner {
 /// by name.
 [[nodiscard]] std::vector<ParameterOwner> AllParameterOwners();
 
-/// For a terminal.
+/// The owner's parameters as text for a terminal.
 [[nodiscard]] std::string PlainText(const ParameterOwner& owner);
 [[nodiscard]] std::string Json(const std::vector<ParameterOwner>& owners);
 /// The page docs/parameters.md.

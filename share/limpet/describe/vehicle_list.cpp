@@ -29,7 +29,7 @@ What blocks of a mission used to say of the sensors is the file's to say: `camer
 The other keys, from their declarations. The camera's field of view and image have no default: blocks that need a camera are refused without them. What else a file leaves out has the default. Generated: `limpet describe vehicle --markdown > docs/vehicle-file.md`.
 )";
 
-/// Of the file's defaults.
+/// Sections of the vehicle's file, with its defaults.
 std::vector<KeySection> Sections() {
   static VehicleFile defaults;
   return VehicleFileSections(defaults);

@@ -16,7 +16,7 @@ struct WarningList {
   std::map<std::string, EventFacts> events;
 };
 
-/// For a terminal: warnings, then events.
+/// Text for a terminal: warnings, then events.
 [[nodiscard]] std::string PlainText(const WarningList& list);
 [[nodiscard]] std::string Json(const WarningList& list);
 /// The page docs/warnings.md.

@@ -11,7 +11,7 @@
 
 namespace limpet {
 
-/// Of an image in which a ball can be told [px], width and height.
+/// Least width and height of an image in which a ball can be told [px].
 inline constexpr int kLeastImageSide = 32;
 
 /// The outline of what may be a ball, pixels of the full image.

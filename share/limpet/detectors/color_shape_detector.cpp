@@ -17,7 +17,8 @@
 namespace limpet {
 namespace {
 
-/// Of boxes that share more than half of the smaller one, the most confident.
+/// The boxes without repeats: of those that share more than half of the smaller one, the most
+/// confident.
 std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
   std::vector<Box> kept;
   for (const Box& box : boxes) {

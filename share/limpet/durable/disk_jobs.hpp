@@ -23,7 +23,7 @@ class DiskJobs {
 
   void Put(std::function<void()> job);
   [[nodiscard]] bool is_idle() const;
-  /// Until it is idle.
+  /// Waits until no job is left.
   void Wait();
 
  private:

@@ -37,7 +37,8 @@ class EnergyEstimate {
   void Hear(const WaterCurrent& current) { current_ = current; }
   /// Absent before a battery was heard.
   [[nodiscard]] std::optional<EnergyState> At(const HomeLeg& home) const;
-  /// At the speed of the ways so far; of no current, or one that makes no difference, none.
+  /// Cost by course at the speed of the ways so far; without a current, or with one that makes no
+  /// difference, none.
   [[nodiscard]] CourseCost CostsByCourse() const;
 
  private:
@@ -47,7 +48,7 @@ class EnergyEstimate {
   /// There is a current that is told apart from none, and makes a difference.
   [[nodiscard]] bool HasCurrent() const;
   [[nodiscard]] MetersPerSecond Cruise() const;
-  /// Of a metre of the way home [Wh].
+  /// Energy that a metre of the way home takes at this course [Wh].
   [[nodiscard]] double HomeMetre(double course) const;
   /// The charge that voltage and current speak for; absent where they are not known.
   [[nodiscard]] std::optional<double> ChargeByVoltage(const BatteryState& battery) const;
@@ -65,7 +66,8 @@ class EnergyEstimate {
   double used_wh_ = 0.0;
   /// Sums that begin with the prior's weight and forget.
   double moving_m_, moving_still_m_, moving_s_, moving_wh_, idle_s_, idle_wh_;
-  /// Of the piece of way that is being flown, and the dearest metre of those before.
+  /// Length [m] and energy [Wh] of the piece of way that is being flown, and the dearest metre of
+  /// those before.
   double piece_m_ = 0.0, piece_wh_ = 0.0, dearest_metre_wh_ = 0.0;
   std::optional<double> gauge_excess_;  ///< smoothed
 };

@@ -21,7 +21,7 @@ struct Deficit {
   double value = 0.0;
 };
 
-/// Of each behavior, the most first.
+/// What each behavior holds against `option` beside `winner`, the most first.
 std::vector<Deficit> DeficitsOf(const BiddenOption& option, const BiddenOption& winner,
                                 const std::vector<std::string>& bidders, OptionOrder order) {
   const auto share = [order](const BiddenOption& of, const std::string& behavior) {

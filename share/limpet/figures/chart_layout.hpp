@@ -8,7 +8,7 @@ namespace limpet::chart {
 
 /// Where a chart over time begins, and how wide it is.
 inline constexpr double kLeft = 76.0, kWidth = 814.0;
-/// Of three standard deviations, as the estimator says them.
+/// Paint of the band of three standard deviations, as the estimator says them.
 inline constexpr Paint kBounds{.fill = palette::kSky, .opacity = 0.3};
 
 }  // namespace limpet::chart

@@ -33,7 +33,7 @@ struct PlaceLabel {
 };
 void DrawLabel(MapAxes& map, const Eigen::Vector3d& p_W, const PlaceLabel& label);
 
-/// Where the vehicle started and should end.
+/// Draws where the vehicle started and should end.
 void DrawHome(SvgCanvas& canvas, const SvgCanvas::Point& centre);
 
 void DrawTriangle(SvgCanvas& canvas, const SvgCanvas::Point& centre, double radius, double turn_rad,

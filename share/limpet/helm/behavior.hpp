@@ -48,7 +48,7 @@ class Behavior {
  public:
   virtual ~Behavior() = default;
 
-  /// As its block calls it; set by who makes it from a block.
+  /// The behavior's name as its block calls it; set by who makes it from a block.
   [[nodiscard]] const std::string& name() const { return name_; }
   void SetName(std::string name) { name_ = std::move(name); }
 

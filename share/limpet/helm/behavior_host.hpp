@@ -85,7 +85,7 @@ class BehaviorHost {
   [[nodiscard]] std::vector<LifeEvent> TakeLifeEvents() { return std::exchange(events_, {}); }
   /// `MODE@ACTIVE:SURVEYING`, several joined by `#`; "" without modes.
   [[nodiscard]] const std::string& modes() const { return mode_text_; }
-  /// As IVPHELM_MODESET has it.
+  /// The tree of modes, as IVPHELM_MODESET has it.
   [[nodiscard]] std::string ModeTree() const { return modes_->Summary(); }
   /// Behaviors whose last update could not be applied, or whose block says what nobody heeds.
   [[nodiscard]] std::vector<OwnedWarning> warnings() const;

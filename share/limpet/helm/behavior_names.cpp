@@ -56,7 +56,7 @@ double FarnessOf(std::string_view a, std::string_view b) {
   return shared >= kWord ? distance - 1.0 : distance;
 }
 
-/// Of farther ones nobody would say that they are near.
+/// Names farther apart than this nobody would call near.
 constexpr double kFarthest = 1.0 / 3.0;
 
 std::string NearestBehavior(std::string_view name) {

@@ -26,7 +26,7 @@ class HeardVariable {
 
   /// REQUIRES: something was heard.
   [[nodiscard]] const Stamped<Value>& last() const { return last_; }
-  /// Since the last iteration, oldest first; of very many the newest.
+  /// Values since the last iteration, oldest first; of very many the newest.
   [[nodiscard]] std::span<const Stamped<Value>> recent() const { return recent_; }
 
  private:

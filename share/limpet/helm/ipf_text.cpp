@@ -66,16 +66,16 @@ class IndexedBid {
     }
     if (bid.present_course && domain.course) AddOn(*bid.present_course, *domain.course);
   }
-  /// Of the behavior's weight, that all its preferences have together.
+  /// Share of the behavior's weight that all its preferences have together.
   [[nodiscard]] double shares() const { return shares_; }
   [[nodiscard]] bool IsAbout(std::size_t v) const { return !values_[v].empty(); }
   [[nodiscard]] bool IsJoined(std::size_t v) const { return is_joined_[v]; }
   [[nodiscard]] int Points(std::size_t v) const { return static_cast<int>(values_[v].size()); }
-  /// Of one variable's peak.
+  /// Value that the peak on variable `v` alone has at a point of its axis.
   [[nodiscard]] double Own(std::size_t v, int point) const {
     return values_[v][static_cast<std::size_t>(point)] / shares_;
   }
-  /// Of the table and of peaks on its variables.
+  /// Value of the table and of the peaks on its variables, together.
   [[nodiscard]] double Joined(const Index& at) const {
     double sum = 0.0;
     std::size_t place = 0;

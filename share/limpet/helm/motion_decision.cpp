@@ -55,7 +55,7 @@ std::optional<std::string> ProblemOf(const MotionBid& bid, const MotionDomain& d
   return bid.table->Problem();
 }
 
-/// Its opinion on what the domain has.
+/// True if the bid has an opinion on a variable that the domain has.
 bool HasOpinion(const MotionBid& bid, const MotionDomain& domain) {
   return std::ranges::any_of(kMotionVariables, [&](MotionVariable variable) {
     return domain.axis(variable) &&

@@ -26,7 +26,7 @@ std::vector<std::string> VariableNames() {
   return names;
 }
 
-/// Of one line, the blanks gone; `depth:0:100:101:optional` or `depth,0,100,101`.
+/// Parts of one line, the blanks gone; `depth:0:100:101:optional` or `depth,0,100,101`.
 std::vector<std::string> PartsOf(std::string line) {
   std::ranges::replace(line, ',', ':');
   std::vector<std::string> parts;
@@ -46,7 +46,7 @@ std::optional<double> DeltaOf(std::string text) {
   return ParseNumber(std::string_view(text).substr(kDelta.size()));
 }
 
-/// As many points as fit; nothing if the text is neither a number of them nor a step.
+/// Number of points that fit; nothing if the text is neither a number of them nor a step.
 std::optional<std::int64_t> PointsOf(const std::string& text, double low, double high) {
   if (text.find('=') == std::string::npos) return ParseInteger(text);
   constexpr double kRounding = 1e-9;

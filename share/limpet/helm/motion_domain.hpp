@@ -18,7 +18,7 @@ namespace limpet {
 enum class MotionVariable { kCourse, kSpeed, kDepth };
 inline constexpr std::array kMotionVariables{MotionVariable::kCourse, MotionVariable::kSpeed,
                                              MotionVariable::kDepth};
-/// As missions write it: course, speed, depth.
+/// The variable's name as missions write it: course, speed, depth.
 [[nodiscard]] const char* NameOf(MotionVariable variable);
 [[nodiscard]] constexpr std::size_t IndexOf(MotionVariable variable) {
   return static_cast<std::size_t>(variable);

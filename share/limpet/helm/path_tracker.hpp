@@ -19,9 +19,9 @@ class PathTracker {
   [[nodiscard]] std::optional<Guidance> Guide(const NavState& nav);
 
   [[nodiscard]] bool has_path() const { return has_path_; }
-  /// Empty without one.
+  /// The path that is followed; empty without one.
   [[nodiscard]] const DubinsPath& path() const { return path_; }
-  /// Of the path followed last; counts from 1.
+  /// Number of the path followed last; counts from 1.
   [[nodiscard]] int path_id() const { return path_id_; }
   [[nodiscard]] const LineOfSight::Steering& steering() const { return steering_; }
   /// Length of all paths followed so far, as far as they were flown [m].

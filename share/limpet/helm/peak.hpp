@@ -12,13 +12,13 @@ struct Peak {
   double summit = 0.0;
   double flat_half_width = 0.0;
   double base_half_width = 1.0;  ///< REQUIRES: > flat_half_width
-  /// At the end of the top: below 1 that is not flat, but falls to there from the summit.
+  /// Value at the end of the top: below 1 that is not flat, but falls to there from the summit.
   double edge_value = 1.0;
-  /// Of the behavior's weight that this variable gets; two that are coupled have a part each.
+  /// Share of the behavior's weight that this variable gets; two that are coupled have a part each.
   double share = 1.0;
 };
 
-/// Of the weight of a behavior that couples two variables, what each of them gets.
+/// Share of a behavior's weight that each variable gets where the behavior couples two.
 inline constexpr double kCoupledShare = 0.5;
 
 /// Where a peak ends that is flat to `flat_half_width` and falls over `skirt`; one without a skirt

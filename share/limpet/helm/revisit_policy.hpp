@@ -45,7 +45,7 @@ class RevisitPolicy {
   explicit RevisitPolicy(const Params& params) : params_(params) {}
 
   [[nodiscard]] RevisitInterest InterestIn(const WatchedObject& object, const Situation& now) const;
-  /// Of every object of `now`, in its order.
+  /// Interest in every object of `now`, in its order.
   [[nodiscard]] std::vector<RevisitInterest> Interests(const Situation& now) const;
   /// Objects that want a look, each worth `weight` times its interest.
   [[nodiscard]] std::vector<Target> OpenTargets(const Situation& now, double weight) const;

@@ -37,7 +37,7 @@ struct Guidance {
   std::string purpose{};     ///< source of the option that the path was, e.g. home
 };
 
-/// For "how now".
+/// What is known of the vehicle when "how now" is decided.
 struct VehicleState {
   Seconds now;
   NavState nav;
@@ -62,7 +62,7 @@ struct VehicleState {
     if (found == heard->end()) return {};
     return found->second.recent();
   }
-  /// On the viewer's map.
+  /// Where the vehicle is, as a point of the viewer's map.
   [[nodiscard]] MapPoint place() const { return MapPointOf(nav.north, nav.east); }
   /// Speed over ground [m/s].
   [[nodiscard]] double speed() const { return std::hypot(nav.u, nav.v); }
@@ -76,7 +76,7 @@ struct WatchedObject {
   int fruitless = 0;  ///< looks planned and flown since the belief last changed
 };
 
-/// For "where next". Pointers are never null and outlive the decision.
+/// What is known when "where next" is decided. Pointers are never null and outlive the decision.
 struct Situation {
   Seconds now;
   Pose2 pose;                      ///< where options start
@@ -111,7 +111,8 @@ struct Prospect {
   /// What the option itself offers to fly next.
   [[nodiscard]] const DubinsPath& path() const { return own; }
   [[nodiscard]] double length() const { return own.length(); }
-  /// With all that would follow to the end of the survey, if the option was completed; else path().
+  /// The path with all that would follow to the end of the survey, if the option was completed;
+  /// else path().
   [[nodiscard]] const DubinsPath& whole() const { return option->path; }
 };
 

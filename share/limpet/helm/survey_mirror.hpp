@@ -29,7 +29,7 @@ class SurveyMirror {
   void SetCourseCost(CourseCost cost) { course_cost_ = std::move(cost); }
   [[nodiscard]] const std::optional<HomePoint>& home() const { return home_; }
   void SetCoverage(const Coverage& coverage) { coverage_ = coverage; }
-  /// By what the map judges looks, and how far one sees: what is left to see follows from it.
+  /// Takes what the map judges looks by, and how far one sees: what is left to see follows from it.
   void SetLookModel(const MapLook& look);
   /// True if an object is new, gone, or decided otherwise than before.
   bool SetObjects(const std::vector<OpiBelief>& objects);
@@ -64,7 +64,7 @@ class SurveyMirror {
   [[nodiscard]] const SurveyBlocks& blocks() const { return *blocks_; }
   /// False if objects at the top of the area's band are never inside the image, in any water.
   [[nodiscard]] bool SeesWholeBand() const;
-  /// Of the present ground. REQUIRES: has_area().
+  /// What paths show of the present ground. REQUIRES: has_area().
   [[nodiscard]] SeenAlong& seen() { return *sight_; }
   [[nodiscard]] LookLedger& ledger() { return watch_.ledger(); }
 

@@ -29,7 +29,7 @@ std::vector<RevisitInterest> ViewPlanner::InterestsBy(const WeightedBehavior& be
   return {};
 }
 
-/// Of wishes for one object the most eager counts.
+/// Interests of all behaviors; where several want one object, the most eager counts.
 std::vector<RevisitInterest> ViewPlanner::InterestsOf(std::span<const WeightedBehavior> running,
                                                       const Situation& now) {
   std::vector<RevisitInterest> interests;

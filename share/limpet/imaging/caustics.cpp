@@ -78,7 +78,7 @@ void Soften(int size, std::vector<float>& tile) {
   }
 }
 
-/// To mean 0, standard deviation 1.
+/// Shifts and scales the tile's values to mean 0 and standard deviation 1.
 void Standardize(std::vector<float>& tile) {
   double sum = 0.0;
   double sum2 = 0.0;

@@ -52,7 +52,7 @@ class PictureRenderer {
   /// What the camera of a body at `X_WB` sees in frame number `frame`, taken at `time`.
   [[nodiscard]] Image Render(const Pose& X_WB, std::span<const Solid> solids, std::uint32_t frame,
                              Seconds time);
-  /// Of the last picture, for each solid of which at least a pixel can be seen.
+  /// Labels of the last picture, for each solid of which at least a pixel can be seen.
   [[nodiscard]] const std::vector<SolidLabel>& labels() const { return labels_; }
 
  private:

@@ -36,7 +36,7 @@ std::vector<std::uint8_t> SignalCurve(double contrast) {
   return curve;
 }
 
-/// Of a channel's light and the sum of all three.
+/// Light of a channel with crosstalk, from its own light and the sum of all three.
 template <class Own, class All>
 auto WithCrosstalk(const Own& own, const All& all) {
   return (1.0F - 3.0F * kCrosstalk) * own + kCrosstalk * all;

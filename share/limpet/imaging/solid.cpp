@@ -16,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, SolidKind>, 5> kSolidKinds{
      {"box", SolidKind::kBox},
      {"tyre", SolidKind::kTyre}}};
 
-/// Of a tyre's tube, which fills its width.
+/// Radius of a tyre's tube, which fills its width [m].
 double TubeRadius(const Solid& tyre) { return std::min(0.5 * tyre.height, 0.5 * tyre.radius); }
 
 }  // namespace

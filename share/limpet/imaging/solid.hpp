@@ -36,7 +36,7 @@ struct Solid {
   [[nodiscard]] Eigen::Vector3d NormalAt(const Eigen::Vector3d& p_S) const;
   /// The farthest that the form reaches along `n_S`: its support function [m].
   [[nodiscard]] double ReachAlong(const Eigen::Vector3d& n_S) const;
-  /// Of the smallest sphere around its middle that holds it [m].
+  /// Radius of the smallest sphere around its middle that holds it [m].
   [[nodiscard]] double BoundingRadius() const;
   /// Half of its height as it stands [m]: how far its lowest point is below its middle.
   [[nodiscard]] double ReachDown() const { return ReachAlong(R_WS.transpose().col(2)); }

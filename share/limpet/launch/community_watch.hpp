@@ -37,7 +37,7 @@ class CommunityWatch {
   /// Listens for one more.
   void Listen(const std::string& variable) { client_.Subscribe(variable, Seconds(0.0)); }
   [[nodiscard]] std::optional<Heard> Latest(const std::string& variable) const;
-  /// Its text; empty if it was not heard.
+  /// Latest text of the variable; empty if it was not heard.
   [[nodiscard]] std::string TextOf(const std::string& variable) const;
 
   /// Names that have come into the community since the last call.

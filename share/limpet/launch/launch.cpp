@@ -239,7 +239,7 @@ class Launch {
     Alert(events::kThrustNotZeroed,
           "the database did not take the last command, zero thrust; the driver stops by itself");
   }
-  /// On every change, and now and then.
+  /// Publishes the status on every change, and now and then.
   void TellStatus(CommunityWatch& watch) {
     const Seconds now = SteadyTime();
     std::string status = supervisor_.Status() + StatusOfMissing(plan_.missing);

@@ -26,15 +26,15 @@ class LaunchFaults {
   explicit LaunchFaults(const LaunchPlan& plan);
 
   [[nodiscard]] bool are_none() const { return schedule_.faults().empty(); }
-  /// To be called before the first process starts.
+  /// Gives its processes the page of faults; to be called before the first of them starts.
   void Prepare(Supervisor& supervisor) const;
   /// Listens for what the faults wait for.
   void Listen(CommunityWatch& watch) const;
   /// What is so at `now` (MOOS time).
   void Apply(CommunityWatch& watch, Supervisor& supervisor, Seconds now);
-  /// Of all processes, in place of what they have [MiB]; nothing: as it is.
+  /// Memory of all processes, in place of what they have [MiB]; nothing: as it is.
   [[nodiscard]] std::optional<double> memory_mib() const;
-  /// In place of the busiest process' load; nothing: as it is.
+  /// Load in place of the busiest process' load; nothing: as it is.
   [[nodiscard]] std::optional<ProcessorLoad> processor() const;
 
  private:

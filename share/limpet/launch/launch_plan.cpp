@@ -104,7 +104,7 @@ std::vector<std::string> ExtraArgs(const LaunchEntry& entry, const MissionFile& 
   return args;
 }
 
-/// Where the mission's processes may write.
+/// Folders that the mission's processes may write to.
 std::vector<fs::path> WritableFolders(const LaunchCommand& command) {
   std::vector<fs::path> folders{".", fs::absolute(command.mission_file).parent_path()};
   if (!command.run_folder.empty()) {

@@ -48,7 +48,7 @@ fs::path Numbered(const fs::path& first, int number) {
   return number == 1 ? first : fs::path(fmt::format("{}-{}", first.string(), number));
 }
 
-/// Of the folders that are there, numbered from 1; 0 if none is.
+/// Number of the latest of the folders that are there, numbered from 1; 0 if none is.
 int LatestOf(const fs::path& first) {
   const std::string stem = first.filename().string() + "-";
   std::error_code absent;

@@ -68,7 +68,7 @@ class Supervisor {
   };
   /// What became of each process, in order of start.
   [[nodiscard]] std::vector<Report> Reports() const;
-  /// Of all processes that run [MiB]; nothing where the system does not say.
+  /// Memory of all processes that run [MiB]; nothing where the system does not say.
   [[nodiscard]] std::optional<double> ResidentMib() const;
   /// What each process that runs has had of the processors; those that the system does not know
   /// are left out.

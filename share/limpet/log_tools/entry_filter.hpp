@@ -17,7 +17,7 @@ class EntryFilter {
  public:
   /// Options that Of understands, for a Command.
   [[nodiscard]] static std::vector<CommandOption> Options();
-  /// Of names alone: patterns; none: every variable.
+  /// A filter of names alone, given as patterns; without any it accepts every variable.
   explicit EntryFilter(std::vector<std::string> names) : names_(std::move(names)) {}
   /// `names` as above. Throws UsageError.
   [[nodiscard]] static EntryFilter Of(const Arguments& given, std::vector<std::string> names);

@@ -85,7 +85,7 @@ int RunFilter(const Arguments& given, EntryFilter filter, bool is_inverted) {
   return counts.kept > 0 ? kOk : kFailed;
 }
 
-/// Of both commands: what is done with the entries.
+/// Options that both commands have: what is done with the entries.
 std::vector<CommandOption> OutputOptions() {
   return {
       {.names = "--out", .value = "FILE", .meaning = "write to FILE"},

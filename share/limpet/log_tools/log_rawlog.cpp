@@ -26,7 +26,7 @@ struct FlownVehicle {
   double object_radius_m = StreamMeta().opi_radius;
 };
 
-/// Of the mission that the session beside the log was flown with, as far as that is known.
+/// Vehicle of the mission that the session beside the log was flown with, as far as that is known.
 FlownVehicle VehicleBeside(const fs::path& log) {
   FlownVehicle flown;
   try {

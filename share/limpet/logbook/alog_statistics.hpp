@@ -26,7 +26,7 @@ struct NumberStatistics {
   double last = 0.0;
 
   void Add(double value);
-  /// Of the population.
+  /// Standard deviation of the population.
   [[nodiscard]] double StandardDeviation() const;
 };
 

@@ -28,9 +28,9 @@ class LogBuffer {
   /// One could not even be appended.
   void NoteDropped();
 
-  /// To the system. False while the disk does not take it.
+  /// Writes to the system. False while the disk does not take it.
   bool Flush();
-  /// To the disk.
+  /// Writes to the disk. False while it does not take it.
   bool Sync();
   /// Why the last of these said false.
   [[nodiscard]] std::error_code trouble() const { return trouble_; }

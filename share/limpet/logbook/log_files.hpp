@@ -36,9 +36,10 @@ class LogFiles {
                                                const LogFilesOptions& options);
 
   void Put(const LogRecord& record);
-  /// To the system, so that it outlives the process. False while something cannot be written.
+  /// Writes to the system, so that it outlives the process. False while something cannot be
+  /// written.
   bool Flush();
-  /// To the disk, so that it outlives a power cut.
+  /// Writes to the disk, so that it outlives a power cut.
   bool Sync();
   /// The last call: syncs, and compresses if asked to.
   bool Close();

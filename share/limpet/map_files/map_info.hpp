@@ -9,7 +9,7 @@
 
 namespace limpet {
 
-/// As JSON. The error names the file that is damaged.
+/// What is known of the session's map, as JSON. The error names the file that is damaged.
 [[nodiscard]] Expected<std::string> MapInfoJson(const SavedSession& session);
 /// What MapInfoJson says, in words for people.
 [[nodiscard]] Expected<std::string> MapInfoText(const SavedSession& session);

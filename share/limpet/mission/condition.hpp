@@ -43,7 +43,7 @@ class Condition {
   /// Names of the variables it reads, sorted.
   [[nodiscard]] std::vector<std::string> Variables() const;
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// If it is one plain comparison: `left op right`.
+  /// The condition if it is one plain comparison: `left op right`.
   struct Comparison {
     std::string left;
     std::string op;

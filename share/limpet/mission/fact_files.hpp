@@ -45,7 +45,7 @@ struct FactFile {
 /// `share/<folder>` of the folders above the mission and above the running program.
 [[nodiscard]] std::vector<std::filesystem::path> FactFolders(
     const FactFile& kind, const std::filesystem::path& mission_folder);
-/// Where `named` lies; empty if nowhere.
+/// Path of the file called `named`; empty if it is nowhere.
 [[nodiscard]] std::filesystem::path FindFactFile(const FactFile& kind,
                                                  const std::filesystem::path& named,
                                                  const std::filesystem::path& mission_folder);

@@ -31,7 +31,7 @@ class FaultSchedule {
   /// Any of that kind, now or ever.
   [[nodiscard]] bool Has(std::string_view what) const;
   [[nodiscard]] const std::vector<ScenarioFault>& faults() const { return faults_; }
-  /// Of one of faults().
+  /// Whether the fault with this index in faults() is active.
   [[nodiscard]] bool IsActive(std::size_t index) const { return timers_[index].is_active; }
 
  private:

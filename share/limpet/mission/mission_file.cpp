@@ -167,7 +167,7 @@ class MissionParser {
     return EqualsIgnoringCase(key.substr(0, kDefine.size()), kDefine);
   }
 
-  /// Also takes `ProcessConfig = name {`, which MOOS overlooks.
+  /// Opens the block that `name` begins, also of `ProcessConfig = name {`, which MOOS overlooks.
   void OpenBlock(std::string_view name, const SourceLine& where) {
     const bool has_brace = name.ends_with('{');
     if (has_brace) {

@@ -30,7 +30,7 @@ struct KeyValue {
 class MissionVariables {
  public:
   void Learn(const std::vector<TextLine>& lines);
-  /// Of all lines of a file: many uses of a long value grow with the square of the file.
+  /// Most bytes of all lines of a file: many uses of a long value grow with the square of the file.
   static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 
   /// Replaces each `${NAME}` once. Unknown ones lose their braces, as in MOOS, and are problems.

@@ -50,7 +50,7 @@ struct PlugResult {
 [[nodiscard]] PlugResult ExpandPlugs(std::string_view text, const std::filesystem::path& file,
                                      const PlugOptions& options);
 
-/// Of ExpandPlugs: a file to be included is nowhere.
+/// True if the problem is one of ExpandPlugs: a file to be included is nowhere.
 [[nodiscard]] bool IsMissingInclude(const ConfigProblem& problem);
 
 /// Folders called `plugs` beside or above `file`, nearest first, then those above this program.

@@ -15,7 +15,7 @@ namespace limpet {
 class PlugMacros {
  public:
   static constexpr std::size_t kMaxLineBytes = std::size_t{32} << 10U;  ///< that a line may grow by
-  /// Of all lines and rounds of one template: values that double do so in no time.
+  /// Most bytes of all lines and rounds of one template: values that double do so in no time.
   static constexpr std::size_t kMaxWorkBytes = std::size_t{4} << 20U;
 
   struct Macro {

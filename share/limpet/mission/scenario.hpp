@@ -31,7 +31,7 @@ struct ScenarioOpi {
       places;                   ///< session to NED of the centre; nothing: absent then
   ObjectShapeParams shape{};    ///< radius_m is its radius
   ObjectMotionParams motion{};  ///< from its place, which stays the truth that a run is judged by
-  /// Where it is in `session`, or nothing.
+  /// Where the object is in `session` (NED of its centre [m]); nothing if it is absent then.
   [[nodiscard]] std::optional<Eigen::Vector3d> Place(const std::string& session) const;
 };
 
@@ -99,7 +99,7 @@ struct Scenario {
 [[nodiscard]] Scenario ParseScenario(const std::string& text, const std::string& file,
                                      bool checks_places = true);
 
-/// Its obstacles as bodies.
+/// The scenario's obstacles as bodies.
 [[nodiscard]] std::vector<UprightBody> BodiesOf(const Scenario& scenario);
 
 /// NED depth of the true seabed at (north, east) [m]: slope plus a smooth random relief of standard

@@ -3,7 +3,8 @@
 
 namespace limpet::internal {
 
-/// From the datum, northwards or eastwards [m]: beyond it a local grid means nothing.
+/// Farthest distance from the datum, northwards or eastwards [m]: beyond it a local grid means
+/// nothing.
 inline constexpr double kFarthest_m = 1e5;
 
 }  // namespace limpet::internal

@@ -6,7 +6,7 @@
 namespace limpet {
 namespace {
 
-/// Of two sessions: pNav matches by it, pMap believes the matches by it.
+/// A setting that is about two sessions: pNav matches by it, pMap believes the matches by it.
 SharedSetting OfTwoSessions(const char* key, const char* meaning) {
   return {.global = key, .meaning = meaning, .takers = {{"pMap", key}, {"pNav", key}}};
 }

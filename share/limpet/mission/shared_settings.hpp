@@ -32,7 +32,7 @@ struct SharedSetting {
 /// the global's line. The first global of a name counts.
 void TakeGlobals(const std::vector<ConfigEntry>& globals, std::string_view owner,
                  ConfigBlock& block);
-/// For blocks that are named after their owner, as behaviors are.
+/// The same for blocks that are named after their owner, as behaviors are.
 void TakeGlobals(const std::vector<ConfigEntry>& globals, std::vector<ConfigBlock>& blocks);
 
 }  // namespace limpet

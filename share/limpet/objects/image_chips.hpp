@@ -16,7 +16,7 @@ struct ImageChip {
   std::string jpeg;  ///< bytes of a JPEG file
 };
 
-/// Of one image.
+/// All chips of one image.
 struct ImageChips {
   Seconds exposure;  ///< MOOS time
   std::vector<ImageChip> chips;

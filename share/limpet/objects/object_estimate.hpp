@@ -12,7 +12,7 @@
 
 namespace limpet {
 
-/// Of an object taken for a sphere.
+/// Size of an object that is taken for a sphere.
 struct ObjectSize {
   double radius = 0.0;  ///< [m]
   double sd = 0.0;      ///< [m]
@@ -28,7 +28,7 @@ struct ObjectEstimate {
   /// Standard deviation along each axis [m].
   [[nodiscard]] Eigen::Vector3d sd_W() const { return cov_W.diagonal().cwiseMax(0.0).cwiseSqrt(); }
   [[nodiscard]] bool is_size_known() const { return size && size->radius > 0.0; }
-  /// Of this object [m]; `usual` where nobody has estimated it.
+  /// Radius of this object [m]; `usual` where nobody has estimated it.
   [[nodiscard]] double RadiusOr(double usual) const {
     return is_size_known() ? size->radius : usual;
   }
@@ -54,7 +54,7 @@ struct OpiBelief {
   int looks_with_box = 0;  ///< of them; MAP_OPIS does not carry it
   StatusPosterior posterior;
   Status decided = Status::kUncertain;  ///< in a discovery session new or uncertain
-  /// Of what is decided to have moved: that it is the former object `former_id`, which stood
+  /// Chance of what is decided to have moved: that it is the former object `former_id`, which stood
   /// elsewhere, and that that place is empty now.
   std::optional<double> moved_probability = std::nullopt;
   Eigen::Vector3d centroid_W = Eigen::Vector3d::Zero();     ///< of the map's OPI voxels [m]

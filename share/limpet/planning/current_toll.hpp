@@ -11,7 +11,7 @@ namespace limpet {
 /// Below 0 where it carries the vehicle along. An arc counts by its middle.
 [[nodiscard]] double CurrentToll(const CourseCost& cost, const Pose2& from,
                                  const PathSegment& piece);
-/// Of a whole path, arcs by pieces.
+/// Toll of a whole path, its arcs taken piece by piece.
 [[nodiscard]] double CurrentToll(const CourseCost& cost, const DubinsPath& path);
 
 }  // namespace limpet

@@ -63,7 +63,7 @@ class DubinsPath {
 /// Every word that exists, in the order above, unsorted: for choosing one that stays inside.
 [[nodiscard]] std::vector<DubinsPath> AllDubins(const Pose2& from, const Pose2& to, Meters radius);
 
-/// As told to the pilot and the log.
+/// The path as the pilot and the log are told it.
 [[nodiscard]] HelmPath ToHelmPath(const DubinsPath& path, int id, const std::string& purpose);
 
 }  // namespace limpet

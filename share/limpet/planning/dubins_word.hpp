@@ -25,7 +25,7 @@ class DubinsWords {
   DubinsWords(const Pose2& from, const Pose2& to, Meters radius);
 
   [[nodiscard]] std::span<const DubinsWord> all() const { return {words_.data(), count_}; }
-  /// Of words of one length the first.
+  /// The shortest word; of several of one length the first.
   [[nodiscard]] const DubinsWord& shortest() const;
 
  private:

@@ -19,7 +19,8 @@ class FenceAllowance {
  public:
   /// An allowance is a multiple of this more than `tracking` [m], so that it changes seldom.
   static constexpr double kStep = 0.25;
-  /// Of the vehicle's place; whoever judges whether borders are kept takes as many.
+  /// Sigmas of the vehicle's place that borders are kept off by; whoever judges whether they are
+  /// kept takes as many.
   static constexpr double kSigmas = 3.0;
 
   /// REQUIRES: no ProblemOf(area).

@@ -71,7 +71,7 @@ class FreeSpace {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
   };
-  /// As the raster knows it.
+  /// Bounds of the clearance at a place, as the raster knows it [m].
   [[nodiscard]] Bounds BoundsAt(const PlanePoint& at) const;
   [[nodiscard]] bool IsPieceInside(const Pose2& from, const PathSegment& piece) const;
   /// Exact: of a piece that may meet a border.

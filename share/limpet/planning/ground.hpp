@@ -15,7 +15,7 @@
 
 namespace limpet {
 
-/// Of a survey, above the seabed [m].
+/// Heights of a survey above the seabed [m].
 struct SurveyHeights {
   double altitude = 0.0;           ///< of the camera
   double object_height_max = 0.0;  ///< top of the band that is looked through
@@ -77,7 +77,7 @@ class Ground {
   /// Takes the grid's present state; cheap if it has not changed since.
   void Update(const SurveyGrid& grid);
 
-  /// Of the window; its cells are those squares.
+  /// Frame of the window; its cells are the squares that plans are made on.
   [[nodiscard]] const GridFrame& frame() const { return frame_; }
   /// Whether it is only a part of its grid.
   [[nodiscard]] bool is_part() const { return is_part_; }
@@ -102,9 +102,9 @@ class Ground {
 
  private:
   [[nodiscard]] std::uint8_t LevelOf(const SurveyGrid& grid, int row, int column) const;
-  /// Of the square whose first cell this is.
+  /// Least level of the cells in the square whose first cell this is.
   [[nodiscard]] std::uint8_t LeastLevelOf(const SurveyGrid& grid, int row, int column) const;
-  /// Whether one of that square's cells is; so of all squares how many.
+  /// Whether `is` holds for any of the cells in the square whose first cell this is.
   template <class Is>
   [[nodiscard]] bool HasOne(int row, int column, Is is) const;
   [[nodiscard]] std::size_t CellsOfArea(const SurveyGrid& grid) const;

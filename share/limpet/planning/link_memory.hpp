@@ -20,7 +20,7 @@ class LinkMemory {
   LinkMemory(const Region& region, Meters turn_radius)
       : region_(&region), turn_radius_(turn_radius), links_(kPlaces) {}
 
-  /// As LinkBetween. Good until the next call.
+  /// The link as LinkBetween finds it. Good until the next call.
   [[nodiscard]] const PassLink& Between(const Pose2& from, const Pose2& to);
 
  private:

@@ -25,15 +25,15 @@ constexpr double kOtherSwath = 0.03;
 /// A plan whose looks are worth so much less of what they might be than the last one's is sought
 /// anew [m].
 constexpr double kLostLooks = 50.0;
-/// So much of a plan stands against what others offer [m].
+/// Length of a plan's beginning that stands against what others offer [m].
 constexpr double kOwnPart = 25.0;
-/// Plans begin otherwise if they lead so far apart over that.
+/// Plans begin otherwise if they are at least so far apart at the end of that beginning.
 constexpr double kApart = 6.0;  // [m]
-/// So many plans that begin otherwise are offered.
+/// How many plans that begin otherwise are offered.
 constexpr std::size_t kOthers = 4;
-/// So many of those that were sought beside a new plan.
+/// How many of those that were sought beside a new plan are offered.
 constexpr std::size_t kRivals = 2;
-/// So many of the others' options are completed with care.
+/// How many of the others' options are completed with care.
 constexpr std::size_t kBest = 4;
 
 constexpr const char* kPrevious = "previous";  ///< source of the rest of the path in force
@@ -48,7 +48,8 @@ struct CostedTour {
   double cost = 0.0;
 };
 
-/// As many of its passes as are flown, at most, before plans are compared by where they lead.
+/// The tour's first passes: as many as are flown, at most, before plans are compared by where they
+/// lead.
 SurveyTour Beginning(const SurveyTour& tour) {
   constexpr std::size_t kPasses = 4;
   return {tour.begin(), tour.begin() + static_cast<std::ptrdiff_t>(std::min(kPasses, tour.size()))};
@@ -153,7 +154,7 @@ void MissionPlan::OfferPlan(TourJudge& judge, const SurveyTour& plan,
   completed_.push_back(std::move(flown));
 }
 
-/// Of a new plan, those that lead elsewhere and were sought with as much care.
+/// Offers rivals of a new plan: those that lead elsewhere and were sought with as much care.
 void MissionPlan::OfferRivals(TourJudge& judge, std::vector<Option>& options) {
   std::size_t offered = 0;
   for (SurveyTour& rival : rivals_) {
@@ -193,7 +194,7 @@ void MissionPlan::Improve(TourJudge& judge, SurveyTour& tour, int edits) {
   if (!tour.empty()) search_.Improve(judge, tour, edits);
 }
 
-/// Than those offered so far.
+/// True if the tour begins otherwise than all those offered so far.
 bool MissionPlan::BeginsOtherwise(const FlownTour& tour) const {
   const auto place = [](const FlownTour& of) {
     return of.path.At(std::min(kOwnPart, of.path.length()));

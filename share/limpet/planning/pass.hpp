@@ -11,7 +11,7 @@
 
 namespace limpet {
 
-/// By so much at a time passes are shortened at borders [m].
+/// Length by which passes are shortened at borders, at a time [m].
 inline constexpr double kPassCut = 0.25;
 
 /// One way to pass a place: in at `in`, straight on for `length`.

@@ -30,7 +30,8 @@ bool Passes(const SignedTurn& turn, double heading) {
   return ahead <= std::abs(turn.by);
 }
 
-/// Of the circles of radius `r` that a vehicle may turn on from its pose, to port and to starboard.
+/// Centres of the circles of radius `r` that a vehicle may turn on from its pose, to port and to
+/// starboard.
 std::array<PlanePoint, 2> CentersOfTurns(const Pose2& pose, double r) {
   const PlanePoint at(pose.north, pose.east);
   const PlanePoint starboard(-r * std::sin(pose.yaw), r * std::cos(pose.yaw));

@@ -143,7 +143,7 @@ std::vector<std::size_t> RoomMetFrom(const FreeSpace::Raster& raster, std::size_
   return met;
 }
 
-/// Of the pieces of `mark` that hold one of the `seeds` the largest: 1 there, 0 elsewhere.
+/// The largest of the pieces of `mark` that hold one of the `seeds`: 1 there, 0 elsewhere.
 std::vector<std::uint8_t> LargestPiece(const FreeSpace::Raster& raster,
                                        const std::vector<std::size_t>& seeds,
                                        std::vector<std::uint8_t> mark) {

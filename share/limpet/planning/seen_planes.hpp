@@ -76,7 +76,7 @@ class SeenPlanes {
   [[nodiscard]] Place PlaceOf(const Pose2& pose) const;
   void SweepStraight(const Place& from, double length);
   void SweepTurn(const Pose2& from, const PathSegment& segment);
-  /// Of the images on a stretch of the way [cells].
+  /// The images on a stretch of the way; lengths in cells.
   struct Stretch {
     double lead = 0.0;    ///< from this far behind the first one's front
     double length = 0.0;  ///< of the stretch

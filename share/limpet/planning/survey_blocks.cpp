@@ -17,11 +17,11 @@ namespace {
 constexpr double kSideInSwaths = 7.0, kShortestSide = 30.0, kLongestSide = 120.0;
 /// Images this wide are planned on cells of the grid, twice as wide ones on squares of four [m].
 constexpr double kSwathOfACell = 5.0;
-/// So far from that a side may be, for whole lanes to fit.
+/// Factor by which a block's side may be off the wanted one, for whole lanes to fit.
 constexpr double kSlack = 1.25;
 /// A block is passed over after so many times the way that it needs at least, and so much more [m].
 constexpr double kPatience = 3.0, kPatienceMore = 200.0;
-/// Of a block that is left, so much unseen is no more than slivers.
+/// A block of which at most this share is unseen when it is left counts as done: slivers.
 constexpr double kMostSlivers = 0.05;
 /// Within so much of a block its way begins [m].
 constexpr double kNear = 20.0;
@@ -96,7 +96,8 @@ std::optional<PlanePoint> SurveyBlocks::Onward() const {
   return MiddleOf(blocks_[now_ + 1]);
 }
 
-/// From the corner of the box that is nearest, along its longer side first, to and fro.
+/// Puts the blocks in order from the corner of the box that is nearest, along its longer side
+/// first, to and fro.
 void SurveyBlocks::PutInOrderFrom(const PlanePoint& at) {
   is_ordered_ = true;
   const bool goes_north = at.x() < frame_.north_min + 0.5 * frame_.rows * frame_.cell_m;

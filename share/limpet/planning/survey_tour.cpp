@@ -24,7 +24,7 @@ double ShareUntil(int left, int before, int after) {
   return static_cast<double>(before - left) / std::max(1, before - after);
 }
 
-/// Without ground, which the judge counts itself.
+/// The objective without its ground, which the judge counts itself.
 Objective WithoutGround(const Objective& objective) {
   Objective others = objective;
   others.ground = {};

@@ -73,12 +73,12 @@ class TourJudge {
   /// once.
   [[nodiscard]] TourCost Cost(const SurveyTour& tour);
 
-  /// As LinkBetween, inside its region. Good until the next call.
+  /// The link as LinkBetween finds it, inside the region. Good until the next call.
   [[nodiscard]] const PassLink& Link(const Pose2& from, const Pose2& to) {
     return links_.Between(from, to);
   }
 
-  /// Where tours start.
+  /// The pose at which tours start.
   [[nodiscard]] const Pose2& start() const { return base_.end; }
   [[nodiscard]] const Region& region() const { return region_; }
   [[nodiscard]] Meters turn_radius() const { return turn_radius_; }
@@ -86,7 +86,7 @@ class TourJudge {
   [[nodiscard]] const TourGoal& goal() const { return goal_; }
   /// Whether nothing is left to do at the start.
   [[nodiscard]] bool is_finished() const { return base_.is_finished; }
-  /// After Cost: what its tour leaves unseen.
+  /// What the tour leaves unseen that Cost judged last. REQUIRES: Cost was called.
   [[nodiscard]] const SeenPlanes& planes() const { return planes_; }
   /// After Cost: how many of the tour's passes come before the finish.
   [[nodiscard]] std::size_t passes_needed() const { return stages_.size(); }

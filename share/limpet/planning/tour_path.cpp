@@ -11,7 +11,7 @@
 namespace limpet {
 namespace {
 
-/// By legs, where no word stays inside.
+/// A way by legs, for places between which no word stays inside.
 std::optional<DubinsPath> WayAround(const Pose2& from, const Pose2& to, const Region& region,
                                     Meters turn_radius) {
   auto legs = LegsInside(region, {from.north, from.east}, {to.north, to.east});

@@ -109,7 +109,7 @@ struct ObjectPlace {
   Eigen::Vector3d p_W;  ///< [m]
 };
 
-/// Where an object is, against what the mission surveys.
+/// Checks where an object is, against what the mission surveys.
 void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const Seabed& seabed,
                 const ObjectPlace& object, MissionProblems& found) {
   const auto& [opi, session, place] = object;

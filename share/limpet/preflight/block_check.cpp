@@ -40,7 +40,7 @@ void CheckGenerators(const MissionReading& reading, MissionProblems& found) {
   }
 }
 
-/// Of lines that set one parameter twice, the last counts.
+/// Notes lines that set one parameter twice: the last of them counts.
 void NoteRepeats(const LaunchedApp& app, MissionProblems& found) {
   for (const ParamSpec& spec : app.entry->describe()) {
     if (spec.is_repeatable) continue;

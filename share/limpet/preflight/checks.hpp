@@ -44,7 +44,7 @@ void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, Missi
 /// False if the area has no extent or is beyond all bounds: nothing else can then be said.
 [[nodiscard]] bool CheckArea(const MissionReading& reading, const SurveyFacts& survey,
                              MissionProblems& found);
-/// Of an area that is no plain rectangle.
+/// Checks the shape of an area that is no plain rectangle.
 void CheckShape(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckObjects(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckEndurance(const MissionReading& reading, const SurveyFacts& survey,
@@ -59,7 +59,7 @@ struct SessionWay {
 /// REQUIRES: a speed above 0.
 void CheckEnergy(const MissionReading& reading, const SurveyFacts& survey, const SessionWay& way,
                  MissionProblems& found);
-/// Or pSafety is not launched.
+/// True if the mission turns the rule off, or does not launch pSafety.
 [[nodiscard]] bool IsRuleOff(const MissionReading& reading, std::string_view rule);
 /// `deepest`: where the survey is flown [m].
 void CheckDepthLimit(const MissionReading& reading, double deepest, MissionProblems& found);

@@ -37,7 +37,8 @@ struct Seabeds {
   double shallow_north = 0.0, shallow_east = 0.0;
 };
 
-/// Of the plane over the area and at the start; the relief, at three sigma, comes on top.
+/// Depths of the seabed's plane over the area and at the start; the relief, at three sigma, comes
+/// on top.
 Seabeds SeabedsOf(const Scenario& scenario, const SurveyArea& area) {
   const Scenario::Seabed& bed = scenario.seabed;
   const double slope = std::tan(RadiansFromDegrees(bed.slope_deg));

@@ -29,7 +29,7 @@ CruisePowers PowersOf(const VehicleParams& vehicle, const BatterySheet& battery,
   return {.to_and_fro_w = 0.5 * (against_w + at(speed_mps - current_mps)), .against_w = against_w};
 }
 
-/// As the scenario has it.
+/// The vehicle's battery with the errors that the scenario gives it.
 BatterySheet BatteryOf(const MissionReading& reading) {
   BatterySheet battery = reading.vehicle()->battery;
   if (!reading.scenario()) return battery;

@@ -27,7 +27,7 @@ struct Setting {
   SourceLine where;  ///< of the line; of the block if it is the default
   bool is_default = false;
 
-  /// In the unit of the text; 0 if it is no number.
+  /// The number in the unit of the text; 0 if it is no number.
   [[nodiscard]] double number() const;
   /// `pSurvey altitude_m = 8 (mission.moos:93)`.
   [[nodiscard]] std::string Named() const;
@@ -88,7 +88,7 @@ class MissionReading {
   [[nodiscard]] const std::optional<Scenario>& scenario() const { return scenario_; }
   /// The first line of scenario.yaml that has `text`, or its file alone.
   [[nodiscard]] SourceLine InScenario(std::string_view text) const;
-  /// Of behavior files, scenario.yaml and expect.yaml.
+  /// Problems of behavior files, scenario.yaml and expect.yaml.
   [[nodiscard]] const std::vector<ConfigProblem>& problems() const { return problems_; }
   /// What these files say that is ignored.
   [[nodiscard]] const std::vector<ConfigProblem>& warnings() const { return warnings_; }

@@ -28,7 +28,7 @@ void Join(const std::vector<ConfigProblem>& more, std::vector<ConfigProblem>& pr
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-/// By file and line, each once.
+/// Sorts the problems by file and line, and leaves each once.
 void Sort(std::vector<ConfigProblem>& problems) {
   const auto is_same = [](const ConfigProblem& a, const ConfigProblem& b) {
     return OrderOf(a) == OrderOf(b);

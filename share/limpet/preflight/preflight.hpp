@@ -17,7 +17,8 @@ namespace limpet {
 /// Energy that a survey is expected to take, by its lanes and the vehicle's sheets [Wh].
 struct EnergyOutlook {
   double needed_wh = 0.0;  ///< from the start to home
-  /// Of these for the way home from the farthest place and the wait at the surface there.
+  /// Part of `needed_wh` for the way home from the farthest place and the wait at the surface
+  /// there.
   double home_wh = 0.0;
   double charged_wh = 0.0;  ///< held by the battery at the start
   double reserve_wh = 0.0;  ///< to be left at home

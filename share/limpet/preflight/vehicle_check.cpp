@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 7> kNeedVehicle{
 /// next.
 constexpr Hertz kSlowestImu{5.0}, kSlowestDvl{1.0};
 
-/// Of the DVL: with 1 m pNav was as good as with 0.2 m, with 2 m it was not.
+/// Longest arm of the DVL: with 1 m pNav was as good as with 0.2 m, with 2 m it was not.
 constexpr Meters kLongestArm{1.5};
 
 void CheckRate(const MissionReading& reading, const char* key, Hertz rate, Hertz slowest,

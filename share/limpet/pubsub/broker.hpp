@@ -98,7 +98,7 @@ class Broker {
   /// When it started, or was last cleared.
   [[nodiscard]] Seconds started() const { return started_; }
   [[nodiscard]] const BrokerCounts& counts() const { return counts_; }
-  /// For the owner of the connections, who counts what it cuts.
+  /// Counts that the owner of the connections may raise, who counts what it cuts.
   [[nodiscard]] BrokerCounts& counts() { return counts_; }
   [[nodiscard]] HeldMemory& memory() { return memory_; }
   [[nodiscard]] const HeldMemory& memory() const { return memory_; }
@@ -106,7 +106,7 @@ class Broker {
   /// above the budget is with connections already.
   void BoundMail();
   [[nodiscard]] std::uint64_t clears() const { return clears_; }
-  /// By name.
+  /// What is known of the clients, sorted by name.
   [[nodiscard]] std::vector<ClientFacts> Clients() const;
   /// Bytes of all latest values.
   [[nodiscard]] std::size_t stored() const { return stored_; }

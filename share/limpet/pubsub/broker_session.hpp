@@ -21,7 +21,7 @@ struct LinkQuality {
   }
 };
 
-/// Of the memory that a client's mail may take: the rest is what keeping it costs.
+/// Part of a client's memory that its mail may take: the rest is what keeping it costs.
 constexpr std::size_t MailRoom(std::size_t memory) { return memory / 16 * 13; }
 
 struct Broker::Session {

@@ -34,7 +34,7 @@ class ClientSender {
   /// Bytes not yet handed to the system.
   [[nodiscard]] std::size_t waiting() const { return outbox_.size() + packet_.unsent(); }
   [[nodiscard]] std::uint64_t dropped() const { return outbox_.dropped(); }
-  /// Of the last attempt, steady time.
+  /// Steady time of the last attempt to send.
   [[nodiscard]] Seconds last_send() const { return last_send_; }
 
  private:

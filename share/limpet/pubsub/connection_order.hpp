@@ -8,7 +8,7 @@
 
 namespace limpet {
 
-/// In order of their arrival.
+/// The connections in the order of their arrival.
 using Connections = std::list<TcpConnection>;
 
 /// Of those that have not said who they are (or may not enter), the one that has been there

@@ -15,7 +15,7 @@ using SharedBytes = std::shared_ptr<const ByteBuffer>;
 
 /// From this size on a message is shared rather than copied [bytes].
 inline constexpr std::size_t kShareFrom = std::size_t{8} << 10;
-/// So many pieces one write to a socket gathers.
+/// How many pieces one write to a socket gathers.
 inline constexpr std::size_t kPiecesPerWrite = 32;
 
 /// Encoded messages on their way out, in pieces: small ones copied together into blocks, those of
@@ -25,7 +25,7 @@ class Parcel {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Of it, what was copied here, and is not let go: memory that nobody else holds.
+  /// Bytes of it that were copied here and are not let go: memory that nobody else holds.
   [[nodiscard]] std::size_t own() const { return own_; }
 
   void Append(ByteView message);

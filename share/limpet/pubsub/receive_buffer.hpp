@@ -13,7 +13,7 @@
 
 namespace limpet {
 
-/// Where more room comes from.
+/// Where more room for what is received comes from.
 enum class RoomKind {
   kNone,    ///< there is none
   kHeap,    ///< warm: soon used again

@@ -344,7 +344,7 @@ class TcpBroker::Impl {
     }
   }
 
-  /// Where to count it; nullptr if it may stay.
+  /// The count that a hopeless connection is to be booked under; nullptr if it may stay.
   [[nodiscard]] std::uint64_t* WhyHopeless(const TcpConnection& connection, Seconds now) {
     BrokerCounts& counts = broker_.counts();
     if (!connection.client()) {

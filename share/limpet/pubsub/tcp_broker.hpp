@@ -42,7 +42,7 @@ class TcpBroker {
 
   /// Serves until Stop().
   void Run();
-  /// From any thread.
+  /// Ends Run(). May be called from any thread.
   void Stop();
   [[nodiscard]] std::uint16_t port() const;
 

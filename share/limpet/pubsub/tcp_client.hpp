@@ -57,7 +57,7 @@ class TcpClient {
   [[nodiscard]] State state() const;
   /// Why the broker refused the last hello; why the last connection failed.
   [[nodiscard]] std::string trouble() const;
-  /// Of the broker; empty before the first welcome.
+  /// Name of the broker's community; empty before the first welcome.
   [[nodiscard]] std::string community() const;
   /// The broker's MOOS time; never goes back.
   [[nodiscard]] Seconds Now() const;

@@ -28,9 +28,9 @@ class TcpClient::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  /// As it is, but for the id.
+  /// Sends the message as it is, but for the id.
   void Send(WireMessage message);
-  /// As this client's own, now.
+  /// Sends the message as this client's own, stamped now.
   void Post(WireMessage message, std::string_view source_aux);
   void Subscribe(const std::string& name, Seconds interval);
   void Unsubscribe(const std::string& name);
@@ -46,7 +46,7 @@ class TcpClient::Impl {
   [[nodiscard]] Seconds Now() const { return clock_.Now(); }
   [[nodiscard]] Seconds clock_disagreement() const { return clock_.disagreement(); }
 
-  // For UnitReader.
+  // What UnitReader asks of its reader.
   [[nodiscard]] Expected<std::optional<std::size_t>> UnitSize(ByteView bytes) const;
   [[nodiscard]] bool OnUnit(ByteView unit);
   /// The broker is trusted with this process's memory, up to the largest packet.

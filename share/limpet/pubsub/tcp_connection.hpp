@@ -65,7 +65,7 @@ class TcpConnection {
   [[nodiscard]] bool is_large() const;
   /// Since when its packet is unfinished; nothing if none is.
   [[nodiscard]] std::optional<Seconds> unfinished_since() const { return unfinished_since_; }
-  /// Of its unfinished packet [bytes].
+  /// Room that its unfinished packet holds [bytes].
   [[nodiscard]] std::size_t held() const { return accounted_; }
   /// More room that it asked for in vain [bytes].
   [[nodiscard]] std::size_t wanted() const { return wanted_; }

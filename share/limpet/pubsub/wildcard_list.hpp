@@ -17,7 +17,7 @@ namespace limpet {
       patterns, [text](const std::string& pattern) { return MatchesWildcard(pattern, text); });
 }
 
-/// Of a choice that leaves nothing out unless it names something.
+/// Whether `text` is chosen by patterns that leave nothing out unless they name something.
 [[nodiscard]] inline bool IsChosen(const std::vector<std::string>& patterns,
                                    std::string_view text) {
   return patterns.empty() || MatchesAny(patterns, text);

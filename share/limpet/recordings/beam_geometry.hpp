@@ -21,18 +21,18 @@ class BeamGeometry {
   /// all three axes.
   [[nodiscard]] static std::optional<BeamGeometry> Estimate(const std::vector<DvlPing>& pings);
 
-  /// Of a ping with three or four good beams [m/s].
+  /// Velocity by a ping with three or four good beams [m/s].
   [[nodiscard]] std::optional<Eigen::Vector3d> Velocity(const DvlPing& ping) const;
   /// By how much four beams contradict one another: the length of what of their speeds no velocity
   /// explains [m/s]. An error of one beam alone shows as half of it.
   [[nodiscard]] std::optional<double> Contradiction(const DvlPing& ping) const;
 
-  /// From the instrument's vertical.
+  /// Angles of the beams from the instrument's vertical.
   [[nodiscard]] std::array<Radians, 4> tilts() const;
   /// About its third axis, from the first towards the second; where beam speeds count towards the
   /// instrument, or its third axis points away from where the beams do, of the opposite direction.
   [[nodiscard]] std::array<Radians, 4> azimuths() const;
-  /// Of a speed along a beam to that of its direction; 1 if the instrument scales nothing.
+  /// Ratio of a speed along each beam to that of its direction; 1 if the instrument scales nothing.
   [[nodiscard]] std::array<double, 4> lengths() const;
   [[nodiscard]] int pings() const { return pings_; }
 

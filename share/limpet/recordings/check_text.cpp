@@ -108,7 +108,7 @@ std::string DepthText(const DepthCheck& depth) {
                                            depth.fastest_down, depth.fastest_up));
 }
 
-/// Below it the two say nothing of one another.
+/// Size of the correlation below which the depth's rate and the DVL's say nothing of one another.
 constexpr double kLeastCorrelation = 0.3;
 
 std::string VerticalText(const VerticalAgreement& vertical) {

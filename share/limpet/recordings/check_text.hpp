@@ -8,9 +8,9 @@
 
 namespace limpet {
 
-/// For a person.
+/// The check as text for a person.
 [[nodiscard]] std::string CheckText(const Recording& recording, const RecordingCheck& check);
-/// For a program.
+/// The check as JSON for a program.
 [[nodiscard]] std::string CheckJson(const Recording& recording, const RecordingCheck& check);
 /// What lacks, a line each, and what that costs.
 [[nodiscard]] std::string MissingText(const Recording& recording);

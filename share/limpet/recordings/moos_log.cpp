@@ -123,7 +123,7 @@ Error NoEntries(const AlogReader& reader, const std::string& file) {
                            file, reader.skipped_lines(), why)};
 }
 
-/// In the order of their names.
+/// The logs in a folder (or the one that is named) in the order of their names.
 std::vector<fs::path> LogsOf(const fs::path& named) {
   std::error_code error;
   if (fs::is_regular_file(named, error)) {

@@ -17,7 +17,7 @@ namespace limpet {
 /// True of a file called .alog or .alog.gz, and of a folder that holds one and no other recording.
 [[nodiscard]] bool IsMoosRecording(const std::filesystem::path& named);
 
-/// Of a log, or of a folder with one log of a vehicle in it.
+/// The recording in a log, or in a folder with one log of a vehicle in it.
 [[nodiscard]] Expected<Recording> LoadMoosRecording(const std::filesystem::path& named);
 
 }  // namespace limpet

@@ -16,7 +16,7 @@
 namespace limpet {
 namespace {
 
-/// Of roll and pitch that nobody tells [rad]: 3 deg.
+/// 1-sigma of roll and pitch that nobody tells [rad]: 3 deg.
 constexpr double kTiltSigma = 0.05;
 
 void AddHeadings(const std::vector<TimedNumber>& headings, Radians sigma, SensorStream& stream) {

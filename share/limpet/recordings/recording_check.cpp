@@ -88,7 +88,7 @@ void CompareBeams(const std::vector<DvlPing>& pings, DvlCheck& check) {
   check.contradiction = DifferencesOf(std::move(contradiction));
 }
 
-/// Of the rules that an instrument may follow the one that explains its altitudes best.
+/// Finds, among the rules that an instrument may follow, the one that explains its altitudes best.
 std::optional<AltitudeRule> CompareAltitudes(const std::vector<DvlPing>& pings,
                                              const std::optional<BeamGeometry>& geometry) {
   std::array<std::vector<double>, 4> differences;

@@ -13,7 +13,7 @@
 
 namespace limpet {
 
-/// By limpet's own VelocityGate, without a prediction.
+/// Counts of the verdicts of limpet's own VelocityGate, without a prediction.
 struct GateVerdicts {
   std::size_t good = 0, refused = 0, contested = 0, believed = 0;
 };

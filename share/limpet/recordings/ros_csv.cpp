@@ -233,7 +233,7 @@ bool BeginsAsRosCsv(const fs::path& file) {
   return read && read->bytes.starts_with(kRosCsvHeader);
 }
 
-/// In the order of their names.
+/// The CSV files in a folder (or the one that is named) in the order of their names.
 std::vector<fs::path> CsvFilesOf(const fs::path& named) {
   std::error_code error;
   if (fs::is_regular_file(named, error)) return {named};

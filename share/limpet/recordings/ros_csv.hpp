@@ -20,7 +20,7 @@ namespace limpet {
 /// True of a file of that form, and of a folder that holds one and no stream of our own.
 [[nodiscard]] bool IsRosRecording(const std::filesystem::path& named);
 
-/// Of a file, or of all .csv and .csv.gz files of a folder.
+/// The recording in a file, or in all .csv and .csv.gz files of a folder.
 [[nodiscard]] Expected<Recording> LoadRosRecording(const std::filesystem::path& named);
 
 }  // namespace limpet

@@ -21,7 +21,7 @@ namespace limpet {
 /// What a topic of ROS as CSV begins with.
 inline constexpr std::string_view kRosCsvHeader = "%time,";
 
-/// Of a header: which column has which name.
+/// Columns of a header: which one has which name.
 class RosColumns {
  public:
   /// Throws BadLine.
@@ -87,7 +87,8 @@ class RosRow {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
   }
   [[nodiscard]] bool Flag(std::size_t column) const { return Number(column).value_or(0.0) > 0.0; }
-  /// Of nanoseconds; the text is a whole number, of more digits than a double has.
+  /// Time in seconds of a column in nanoseconds; the text is a whole number, of more digits than a
+  /// double has.
   [[nodiscard]] double Stamp(std::size_t column) const {
     const auto nanoseconds = ParseInteger(fields_.Text(column));
     if (!nanoseconds) {

@@ -16,13 +16,13 @@ struct SampleTimes {
   double first = 0.0, last = 0.0;       ///< [s]
   double longest_pause = 0.0;           ///< between two [s]
 
-  /// Between the first and the last [Hz]; 0 of fewer than two.
+  /// Rate between the first and the last [Hz]; 0 of fewer than two.
   [[nodiscard]] double Rate() const {
     return last > first ? static_cast<double>(count - 1) / (last - first) : 0.0;
   }
 };
 
-/// Of the lengths of differences.
+/// Figures of the lengths of differences.
 struct Differences {
   std::size_t count = 0;
   double median = 0.0, within_95 = 0.0, greatest = 0.0;  ///< within_95: 95 % of them

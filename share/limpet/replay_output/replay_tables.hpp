@@ -11,7 +11,7 @@ namespace limpet {
 
 /// `t,x,y,z,roll,pitch,yaw` [s, m, rad], NED.
 [[nodiscard]] std::string PosesCsv(const std::vector<SmoothedPose>& poses);
-/// As PosesCsv, with the 1-sigmas of north, east, down [m] and heading [rad] of each.
+/// A table as of PosesCsv, with the 1-sigmas of north, east, down [m] and heading [rad] of each.
 [[nodiscard]] std::string SmoothedCsv(const std::vector<SmoothedPose>& poses,
                                       const std::vector<Eigen::Vector4d>& sigmas);
 /// `t,xx,xy,xz,yy,yz,zz` [s, m^2], NED: how surely each place of `poses` was known. REQUIRES: as

@@ -44,7 +44,7 @@ OrderedJson Navigation(const NavScore& nav) {
           {"nees_mean", Optional(nav.nees_mean, Share)}};
 }
 
-/// As the vehicle estimates it; null where it does not.
+/// The object's radius as the vehicle estimates it; null where it does not.
 OrderedJson RadiusJson(const OpiBelief& opi) {
   return opi.object.size ? OrderedJson(Length(opi.object.size->radius)) : OrderedJson(nullptr);
 }
@@ -182,7 +182,7 @@ OrderedJson Phases(const std::vector<PhaseTime>& phases) {
   return out;
 }
 
-/// Of the seabed, and of the band with why.
+/// Unseen shares of the seabed and of the band, of the latter with why.
 OrderedJson UnseenShare(const UnseenScore& unseen) {
   OrderedJson reasons = OrderedJson::object();
   for (std::size_t i = 0; i < kWaysUnseen; ++i)
@@ -234,7 +234,7 @@ OrderedJson OfFences(const SessionScore& session, double FenceScore::*way) {
   return session.fences ? OrderedJson(Length(*session.fences.*way)) : OrderedJson(nullptr);
 }
 
-/// By generator of options, what it won.
+/// What each generator of options won.
 OrderedJson Wins(const std::vector<OptionWins>& wins) {
   OrderedJson out = OrderedJson::object();
   for (const OptionWins& of : wins)

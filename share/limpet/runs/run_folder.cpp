@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFigures = "figures";
 constexpr const char* kReportFiles[] = {"run.json", "report.json", "report.html"};
 
-/// As WriteDurably names it.
+/// Name of the new file beside `file`, as WriteDurably makes it.
 fs::path AsideOf(const fs::path& file) { return file.string() + ".new"; }
 
 /// What is in a folder that never held a run.

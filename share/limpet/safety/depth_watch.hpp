@@ -22,7 +22,7 @@ class DepthWatch {
   [[nodiscard]] std::optional<double> lacking_for() const { return lacking_; }
 
  private:
-  /// From where progress is counted.
+  /// The moment from which progress is counted.
   struct Begin {
     Seconds at;
     double wanted = 0.0;  ///< [m]

@@ -20,7 +20,7 @@ class HelmSigns {
   [[nodiscard]] std::optional<Seconds> heard() const { return heard_; }
   /// Since when it has decided nothing of its own; absent while it steers, or an operator does.
   [[nodiscard]] std::optional<Seconds> idle_since() const { return idle_since_; }
-  /// It has steered at least once.
+  /// True once the helm has steered.
   [[nodiscard]] bool has_steered() const { return has_steered_; }
 
  private:

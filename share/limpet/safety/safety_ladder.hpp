@@ -41,7 +41,7 @@ class SafetyLadder {
   /// When the action came into force; 0 before the first.
   [[nodiscard]] Seconds since() const { return since_; }
   [[nodiscard]] SafetyAction StandingOf(SafetyRuleId id) const;
-  /// From the limit inwards, of the last measure; absent if that was.
+  /// Margin of the last measure, from the limit inwards; absent if that was.
   [[nodiscard]] std::optional<double> MarginOf(SafetyRuleId id) const;
 
  private:

@@ -20,10 +20,10 @@ inline constexpr std::size_t kSafetyPhases = 6;
 
 /// `idle`, `align`, ...
 [[nodiscard]] std::string_view NameOf(SafetyPhase phase);
-/// Of a value of SURVEY_PHASE: FIX counts as ascent, IDLE, DONE and other words as idle.
+/// The phase for a value of SURVEY_PHASE: FIX counts as ascent, IDLE, DONE and other words as idle.
 [[nodiscard]] SafetyPhase SafetyPhaseOf(std::string_view survey_phase);
 
-/// In the order of the table.
+/// The rules, in the order of their table.
 enum class SafetyRuleId : std::size_t {
   kLeak,
   kBatteryLow,
@@ -99,7 +99,7 @@ struct SafetyRule {
   [[nodiscard]] SafetyAction ActionIn(SafetyPhase phase) const {
     return actions[static_cast<std::size_t>(phase)];
   }
-  /// From the limit inwards: below 0 beyond it.
+  /// How far `measure` is inside the limit `at`: below 0 beyond it.
   [[nodiscard]] double Margin(double measure, double at) const {
     return side == Side::kAbove ? at - measure : measure - at;
   }

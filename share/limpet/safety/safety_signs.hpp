@@ -75,9 +75,9 @@ class SafetySigns {
   void MeasureDetector(SafetyMeasures& measures, Seconds now) const;
   void MeasureProcesses(SafetyMeasures& measures, Seconds now) const;
   void MeasureVehicle(SafetyMeasures& measures, Seconds now) const;
-  /// Since `heard`, or since the mission got under way; absent while it is not.
+  /// Time since `heard`, or since the mission got under way [s]; absent while it is not.
   [[nodiscard]] std::optional<double> Silence(std::optional<Seconds> heard, Seconds now) const;
-  /// Of the DVL, or of what navigation has taken of it.
+  /// Silence of the DVL, or of what navigation has taken of it [s].
   [[nodiscard]] std::optional<double> VelocitySilence(Seconds now) const;
   [[nodiscard]] std::optional<double> ProgressLack(Seconds now) const;
   [[nodiscard]] bool IsNavigationFresh(Seconds now) const;

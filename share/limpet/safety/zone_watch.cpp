@@ -15,7 +15,7 @@ constexpr double kMostCircles = 16384.0;
 constexpr double kFinest_m = 0.2;
 constexpr double kSharpCorner_m = 1.0;
 
-/// Between centres of a grid over the polygon's box.
+/// Distance between centres of a grid over the polygon's box [m].
 double SpacingOver(const SimplePolygon& outline) {
   const PlanePoint extent = outline.high() - outline.low();
   return std::max(kFinest_m, std::sqrt(extent.x() * extent.y() / kMostCircles));

@@ -33,7 +33,7 @@ class CalmFlight {
   [[nodiscard]] std::optional<Seconds> begin() const {
     return begin_ ? std::optional(*begin_ - *under_way_) : std::nullopt;
   }
-  /// From the limit inwards; absent: nobody knows.
+  /// Least margin that was seen, from the limit inwards; absent: nobody knows.
   [[nodiscard]] std::optional<double> least_margin() const { return least_margin_; }
 
  private:
@@ -49,7 +49,7 @@ class CalmFlight {
   std::optional<double> least_margin_;
 };
 
-/// As the mission has it.
+/// The rule's limit as the mission has it.
 double MissionLimit(const MissionFile& mission, const SafetyRule& rule) {
   const ConfigBlock* block = mission.Block("pSafety");
   const ConfigEntry* line = block != nullptr ? block->Find(std::string(rule.limit.key)) : nullptr;

@@ -37,7 +37,7 @@ CommonOffset Align(const std::vector<PosePair>& pairs) {
   return offset;
 }
 
-/// At the last time not after `end_s`.
+/// Error of the place at the track's last time that is not after `end_s` [m].
 std::optional<double> ErrorAtEnd(const PoseTrack& track, const PoseTrack& truth, double end_s) {
   for (std::size_t i = track.size(); i-- > 0;) {
     if (track.time(i) > end_s) continue;

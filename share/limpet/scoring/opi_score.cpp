@@ -48,8 +48,8 @@ double ProbabilityOf(const OpiBelief& opi) {
   return std::max({p.confirmed, p.removed, p.appeared, p.nothing});
 }
 
-/// For each place the belief it is matched with, or nullptr; nearest pairs first, those of one
-/// colour before others.
+/// The belief that each place is matched with, or nullptr; nearest pairs first, those of one colour
+/// before others.
 std::vector<const OpiBelief*> Match(const std::vector<Place>& places,
                                     const std::vector<OpiBelief>& beliefs) {
   struct Pair {
@@ -78,7 +78,7 @@ std::vector<const OpiBelief*> Match(const std::vector<Place>& places,
   return matched;
 }
 
-/// As SmoothedBelief gives them.
+/// The beliefs that are reported, as SmoothedBelief gives them.
 std::vector<OpiBelief> Reported(const SessionRecord& record, bool has_former) {
   std::vector<OpiBelief> beliefs;
   for (const OpiBelief& opi : record.opis) {

@@ -15,8 +15,8 @@ struct OptionWins {
   double path_m = 0.0;  ///< flown on its options, until the next decision or the ascent
 };
 
-/// By way, longest first; of one length by name. Decisions without bids are not counted: nobody can
-/// say whose option it was.
+/// Wins by way, longest first; of one length by name. Decisions without bids are not counted:
+/// nobody can say whose option it was.
 [[nodiscard]] std::vector<OptionWins> OptionWinsOf(const SessionRecord& record,
                                                    const PoseTrack& track);
 

@@ -8,7 +8,7 @@
 namespace limpet {
 namespace {
 
-/// Of the time between the two [s], what SURFACE_FIX was true.
+/// How much of the time between the two [s] SURFACE_FIX was true.
 double TimeUp(const SessionRecord& record, Seconds from, Seconds until) {
   double up = 0.0;
   const auto& fixes = record.surface_fixes;

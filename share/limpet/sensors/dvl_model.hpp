@@ -42,7 +42,7 @@ class DvlModel {
   /// Height above the seabed that the beams together see, or nothing with fewer than three.
   [[nodiscard]] std::optional<double> Altitude(const Ranges& ranges, const Pose& X_WB) const;
   [[nodiscard]] Eigen::Vector3d MeasureVelocity(const SimTruth& truth);
-  /// Of the seabed along the beams; level where a beam meets nothing.
+  /// Slopes of the seabed along the beams; level where a beam meets nothing.
   [[nodiscard]] BeamError::Slopes SlopesAt(const Pose& X_WB, const Ranges& ranges) const;
 
   Params params_;

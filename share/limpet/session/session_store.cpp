@@ -93,7 +93,7 @@ std::optional<Error> KeepFile(const fs::path& former, const fs::path& file,
   return bytes ? WriteContent(file, *bytes, disk) : bytes.error();
 }
 
-/// Where files are `kept` from, and which.
+/// The folder that files are taken from, and which of them are `kept`.
 struct FormerFiles {
   fs::path folder;
   const ListedFiles& kept;
@@ -123,7 +123,7 @@ std::optional<Error> WriteGeneration(const fs::path& folder, const SessionFiles&
   return std::nullopt;
 }
 
-/// As GenerationName makes them: somebody's own `gopro` beside them is none.
+/// True for names as GenerationName makes them: somebody's own `gopro` beside them is none.
 bool IsGenerationName(const std::string& name) {
   return name.size() >= 7 && name[0] == 'g' &&
          name.find_first_not_of("0123456789", 1) == std::string::npos;
@@ -139,7 +139,7 @@ void RemoveOtherGenerations(const fs::path& folder, const std::string& kept, Fil
   }
 }
 
-/// Of the generations in `folder`, complete or not; 0 if there is none.
+/// Greatest number of the generations in `folder`, complete or not; 0 if there is none.
 int GreatestGeneration(const fs::path& folder) {
   int greatest = 0;
   std::error_code absent;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPointDecimals = 2, kLineDecimals = 1;
 
-/// In the order of Shape::form.
+/// Variables that shapes are posted to, in the order of Shape::form.
 constexpr std::array<std::string_view, 5> kVariables{"VIEW_POINT", "VIEW_SEGLIST", "VIEW_POLYGON",
                                                      "VIEW_CIRCLE", "VIEW_MARKER"};
 

@@ -16,7 +16,7 @@ namespace limpet {
 
 inline constexpr std::size_t kShareRefusals = 12;
 
-/// In a word and in a sentence, for a person.
+/// The refusal in a word and in a sentence, for a person.
 [[nodiscard]] std::string_view NameOf(ShareRefusal refusal);
 [[nodiscard]] std::string_view MeaningOf(ShareRefusal refusal);
 

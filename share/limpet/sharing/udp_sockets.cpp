@@ -33,7 +33,7 @@ Error TroubleWith(const ShareAddress& address, const std::error_code& code) {
   return Error{fmt::format("{}: {}", address.Text(), code.message())};
 }
 
-/// Without asking anybody.
+/// The address that `host` spells; nobody is asked for a name.
 std::optional<asio::ip::address_v4> AddressOf(const std::string& host) {
   std::error_code error;
   const auto address =

@@ -148,7 +148,7 @@ struct ImageParams {
   } sensor;
 };
 
-/// Of `image:` in scenario.yaml; "" is `image:` itself. The keys store into `image`.
+/// Sections of `image:` in scenario.yaml; "" is `image:` itself. The keys store into `image`.
 [[nodiscard]] inline std::vector<KeySection> ImageSections(ImageParams& image) {
   return {{"", DescribeParams(image)},
           {"water", DescribeParams(image.water)},

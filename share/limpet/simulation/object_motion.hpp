@@ -26,7 +26,7 @@ struct ObjectMotionParams {
     visit("drift_mps", drift_W, "mps", "Goes so fast north, east and down, from its place on",
           InRange(-2.0, 2.0));
   }
-  /// From its place [m], `since` the session began.
+  /// How far the object is from its place [m], `since` the session began.
   [[nodiscard]] Eigen::Vector3d At(Seconds since) const {
     const double phase = 2.0 * std::numbers::pi * (since / sway_period);
     return std::sin(phase) * sway_W + since.value() * drift_W;

@@ -60,7 +60,7 @@ struct SimulatedErrors {
   BatteryErrorParams battery;
 };
 
-/// Of `errors:` in scenario.yaml. The keys store into `errors`.
+/// Sections of `errors:` in scenario.yaml. The keys store into `errors`.
 [[nodiscard]] std::vector<KeySection> ErrorSections(SimulatedErrors& errors);
 
 }  // namespace limpet

@@ -21,8 +21,8 @@ struct Site {
   double path_m = 0.0;              ///< lanes and turns
   double speed_mps = 0.0;           ///< 0: no behavior says it
 
-  /// In a line: the ground to be seen, the way it takes, the time, and how many keep-out zones lie
-  /// beyond what is drawn.
+  /// The site in a line: the ground to be seen, the way it takes, the time, and how many keep-out
+  /// zones lie beyond what is drawn.
   [[nodiscard]] std::string Summary() const;
 };
 

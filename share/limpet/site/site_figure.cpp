@@ -80,7 +80,7 @@ void LineLegend(MapAxes& map, const Paint& paint, const std::string& text) {
       text);
 }
 
-/// Of what is drawn, and of nothing else.
+/// Draws the legend: of what is drawn, and of nothing else.
 void DrawLegend(const Site& site, MapAxes& map) {
   const SurveyShape shape = *SurveyShape::Of(site.area);
   LineLegend(map, {.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"}, "area to survey");

@@ -197,7 +197,7 @@ PlanePoint CoverageBelief::SamplePoint(int row, int column, const SurveyGrid& gr
           frame_.east_min + (column + 0.5) * frame_.cell_m};
 }
 
-/// Beyond the area as at its edge.
+/// Depth of the seabed at a cell [m]; beyond the area it is as at the area's edge.
 std::optional<double> CoverageBelief::Seabed(int row, int column, const SurveyGrid& grid) const {
   return grid.Seabed(std::clamp(row - skirt_, 0, grid.frame().rows - 1),
                      std::clamp(column - skirt_, 0, grid.frame().columns - 1));

@@ -27,8 +27,9 @@ struct GeoPolygon {
 /// one, another frame than WGS84, or a corner that is no place on earth.
 [[nodiscard]] Expected<GeoPolygon> ParseGeoArea(std::string_view text);
 
-/// On the local grid of the datum, NED [m]. The error says how far off a corner is: farther than
-/// kFarthestSite from the datum it is another site, or latitude and longitude are exchanged.
+/// The ring on the local grid of the datum, NED [m]. The error says how far off a corner is:
+/// farther than kFarthestSite from the datum it is another site, or latitude and longitude are
+/// exchanged.
 [[nodiscard]] Expected<std::vector<PlanePoint>> PlacesOnGrid(const std::vector<GeoPoint>& ring,
                                                              const GeoPoint& datum);
 

@@ -130,7 +130,7 @@ Expected<SurveyArea, AreaProblem> FromFile(const SurveyParams& params, const Sit
   return area;
 }
 
-/// By the one of the three ways that the mission takes.
+/// The ground to be surveyed, by the one of three ways of saying it that the mission takes.
 Expected<SurveyArea, AreaProblem> GroundOf(const SurveyParams& params, const SiteGlobals& site) {
   if (params.area_geojson.empty()) {
     return params.area.empty() ? Rectangle(params) : OutlinedArea(params);

@@ -31,7 +31,7 @@ struct FieldNames {
   }
 };
 
-/// Of `key=value,key=value`, less what stands in braces; a value without a key as `{...}`.
+/// Keys of `key=value,key=value`, less what stands in braces; a value without a key as `{...}`.
 std::vector<std::string> KeysIn(std::string_view text) {
   std::string outside;
   int depth = 0;

@@ -27,8 +27,8 @@ class Shadows {
 
  private:
   friend class SightObstacles;
-  /// Of one obstacle, between the lines of sight past its sides and behind the line from side to
-  /// side, as far down as rays that pass over its top come.
+  /// Shadow of one obstacle, between the lines of sight past its sides and behind the line from
+  /// side to side, as far down as rays that pass over its top come.
   struct Shadow {
     Eigen::Vector2d right, left;  ///< sides as the camera sees them, from the camera
     double top;                   ///< NED depth [m]

@@ -31,7 +31,7 @@ class SimplePolygon {
   /// REQUIRES: low < high, in both coordinates.
   [[nodiscard]] static SimplePolygon Box(const PlanePoint& low, const PlanePoint& high);
 
-  /// With north up and east to the right counter-clockwise.
+  /// The corners, counter-clockwise with north up and east to the right.
   [[nodiscard]] const std::vector<PlanePoint>& corners() const { return corners_; }
   [[nodiscard]] std::size_t size() const { return corners_.size(); }
   [[nodiscard]] PlaneEdge Edge(std::size_t i) const {

@@ -189,8 +189,8 @@ class Surroundings {
       cells_[Slot(at)].is_reached = true;
   }
 
-  /// In an outline; or shut in, up to the walls: what lies along them outside is near cells that
-  /// were reached.
+  /// True for ground in an outline; or shut in, up to the walls: what lies along them outside is
+  /// near cells that were reached.
   [[nodiscard]] bool IsStoodOn(const At& at) const {
     const Cell& cell = cells_[Slot(at)];
     if (cell.is_outlined || cell.is_reached) return cell.is_outlined;

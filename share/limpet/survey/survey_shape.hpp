@@ -31,7 +31,7 @@ class SurveyShape {
 
   /// Ground that is to be seen: of the area, in no zone.
   [[nodiscard]] bool Wants(const PlanePoint& at) const;
-  /// Of the ground that is to be seen [m^2], counted on cells of `kCell`.
+  /// Area of the ground that is to be seen [m^2], counted on cells of `kCell`.
   [[nodiscard]] double WantedArea() const;
   /// How far a place is outside the area [m]; 0 inside.
   [[nodiscard]] double OutsideArea(const PlanePoint& at) const;

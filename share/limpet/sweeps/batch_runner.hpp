@@ -26,8 +26,8 @@ class BatchRunner final : public TaskRunner {
 
  private:
   enum class Goes { kOn, kStopped };
-  /// Until nobody works on the batch any more. `tasks` tells by its place in the batch which of the
-  /// caller's a task is.
+  /// Watches until nobody works on the batch any more. `tasks` tells by its place in the batch
+  /// which of the caller's a task is.
   [[nodiscard]] Goes Watch(const std::map<std::size_t, std::size_t>& tasks, bool is_last,
                            const OnChildEnd& on_end);
   [[nodiscard]] Goes Collect(const std::map<std::size_t, std::size_t>& tasks, bool is_last,

@@ -28,7 +28,7 @@ struct Answer {
   std::string text;
 };
 
-/// Of a program of Slurm, with what it says on both of its outputs.
+/// Answer of a program of Slurm, with what it says on both of its outputs.
 Answer Ask(const std::string& program, const std::vector<std::string>& words,
            const std::filesystem::path& log) {
   const int exit_code =

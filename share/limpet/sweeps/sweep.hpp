@@ -53,7 +53,7 @@ class Sweep {
   /// How many tasks were run by this object, and how many were found done.
   [[nodiscard]] std::size_t run() const { return run_; }
   [[nodiscard]] std::size_t found() const { return found_; }
-  /// Of settings, without the folder.
+  /// File with a task's result, relative to the sweep's folder: by the task's settings and seed.
   [[nodiscard]] static std::filesystem::path ResultFile(const SweepTask& task);
 
  private:

@@ -27,8 +27,8 @@ class TaskRunner {
   TaskRunner& operator=(const TaskRunner&) = delete;
   virtual ~TaskRunner() = default;
 
-  /// As RunChildren: each is run once, `on_end` is called in this thread as each ends. False if it
-  /// said stop or the user interrupted.
+  /// Runs the tasks as RunChildren does: each is run once, `on_end` is called in this thread as
+  /// each ends. False if it said stop or the user interrupted.
   [[nodiscard]] virtual bool Run(const std::vector<ChildRun>& tasks, const OnChildEnd& on_end) = 0;
 };
 

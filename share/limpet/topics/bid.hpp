@@ -29,7 +29,7 @@ struct WeightedBid {
   std::string behavior;  ///< its name in the mission
   double weight = 1.0;
   Bid bid;
-  /// Its part of what the option is worth.
+  /// The bid's part of what the option is worth.
   [[nodiscard]] double Worth() const { return weight * bid.value; }
 };
 

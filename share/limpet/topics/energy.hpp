@@ -9,7 +9,7 @@
 
 namespace limpet {
 
-/// As it is known on board: from what the gauge says, and what was used.
+/// Energy as it is known on board: from what the gauge says, and what was used.
 struct EnergyState {
   double used_wh = 0.0;  ///< since the first BATTERY was heard
   double left_wh = 0.0;
@@ -38,7 +38,7 @@ struct EnergyState {
 struct CourseCost {
   std::vector<double> metres;
 
-  /// By the two steps beside `course` [rad].
+  /// Cost at `course` [rad], by the two steps beside it.
   [[nodiscard]] double At(double course) const;
 };
 template <>

@@ -8,7 +8,8 @@ namespace limpet {
 namespace {
 
 constexpr std::size_t kTileHeader = 12;
-/// Of a tile's octree [bytes]: of 64 x 64 columns all full to a depth of 400 m with small voxels.
+/// Size of the largest octree of a tile [bytes]: 64 x 64 columns all full to a depth of 400 m with
+/// small voxels.
 constexpr std::size_t kLargestTile = std::size_t{1} << 28U;
 
 }  // namespace

@@ -88,10 +88,10 @@ struct Obstacles {
 template <>
 struct TopicCodec<Obstacles> : JsonCodec<Obstacles> {};
 
-/// By what the map judges whether a frame looks at a place: camera and detector as it believes them
+/// What the map judges by whether a frame looks at a place: camera and detector as it believes them
 /// (`survey/look.hpp`). Who plans looks plans them by this.
 struct MapLook {
-  /// Of the camera its image: full angles [rad] and size. Who plans takes it to look straight down.
+  /// The camera's image: full angles [rad] and size. Who plans takes it to look straight down.
   double fov_across = 0.0, fov_along = 0.0;
   int width_px = 0, height_px = 0;
   DetectionModel detection;    ///< in the water that plans are made for

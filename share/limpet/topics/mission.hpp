@@ -95,8 +95,8 @@ struct MotionOpinion {
   std::string variables;  ///< course, speed or depth; several, joined by +, are judged together
   double weight = 1.0;
   double value = 0.0;  ///< of what was chosen, 0 to 1
-  /// Of a peak over one variable [deg, m/s, m]: what it likes best, how far around it anything is
-  /// as good, and from where on it is worth nothing.
+  /// Peak over one variable [deg, m/s, m]: what it likes best, how far around it anything is as
+  /// good, and from where on it is worth nothing.
   std::optional<double> summit, flat_half_width, base_half_width;
 };
 /// How the helm moves now, and whose opinions that rests on.
@@ -127,7 +127,7 @@ struct ThrusterCommand {
   double t1 = 0.0, t2 = 0.0, t3 = 0.0, t4 = 0.0, t5 = 0.0, t6 = 0.0;
   std::optional<double> t7 = std::nullopt, t8 = std::nullopt;
 
-  /// Of as many as there are, at most kMost.
+  /// The command of as many shares as there are thrusters, at most kMost.
   [[nodiscard]] static ThrusterCommand Of(std::span<const double> shares) {
     const auto at = [&](std::size_t i) { return i < shares.size() ? shares[i] : 0.0; };
     const auto beyond = [&](std::size_t i) {

@@ -37,8 +37,8 @@ struct NavState {
   /// estimated current; w comes from the depth sensor.
   std::optional<double> velocity_age = std::nullopt;
   double yaw_rate = 0.0;  ///< [rad/s]
-  /// Of the body origin above the seabed [m], as `down` is its depth: their sum is the seabed's
-  /// depth. Absent without bottom lock, but for a vehicle with an echo sounder.
+  /// Height of the body origin above the seabed [m], as `down` is its depth: their sum is the
+  /// seabed's depth. Absent without bottom lock, but for a vehicle with an echo sounder.
   std::optional<double> altitude;
   double sd_north = 0.0, sd_east = 0.0, sd_down = 0.0, sd_yaw = 0.0;
   /// False: nothing has told pNav lately how the vehicle moves (no attitude, or neither bottom

@@ -8,7 +8,7 @@
 
 namespace limpet {
 
-/// Since the start.
+/// Counts since the start.
 struct ShareCounts {
   double sent = 0.0;       ///< datagrams
   double unsent = 0.0;     ///< datagrams that the system did not take, or whose host is unknown

@@ -12,7 +12,7 @@ namespace limpet {
 
 enum class SurveyPhase { kIdle, kAlign, kDive, kSurvey, kReturn, kAscend, kFix, kDone };
 
-/// In the order of the enumeration, as SURVEY_PHASE, logs and missions' conditions have them.
+/// Names in the order of the enumeration, as SURVEY_PHASE, logs and missions' conditions have them.
 inline constexpr std::array<std::string_view, 8> kSurveyPhaseNames{
     "IDLE", "ALIGN", "DIVE", "SURVEY", "RETURN", "ASCEND", "FIX", "DONE"};
 
@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 8> kSurveyPhaseNames{
   return kSurveyPhaseNames.at(static_cast<std::size_t>(phase));
 }
 
-/// Of a value of SURVEY_PHASE; nothing for any other word.
+/// Phase that a value of SURVEY_PHASE names; nothing for any other word.
 [[nodiscard]] constexpr std::optional<SurveyPhase> SurveyPhaseOf(std::string_view name) {
   const auto found = std::ranges::find(kSurveyPhaseNames, name);
   if (found == kSurveyPhaseNames.end()) return std::nullopt;

@@ -14,7 +14,7 @@ class ExpressionWords {
   explicit ExpressionWords(std::string_view text) : text_(text) { SkipBlanks(); }
 
   [[nodiscard]] bool IsAtEnd() const { return at_ == text_.size(); }
-  /// Of the next word, from 0.
+  /// Where the next word begins, from 0.
   [[nodiscard]] std::size_t position() const { return at_; }
   /// Takes the next word if it is `word`; letters must end where it ends.
   [[nodiscard]] bool Take(std::string_view word);

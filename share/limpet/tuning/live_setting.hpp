@@ -17,7 +17,7 @@ struct UpdateCount {
   int good = 0, all = 0;
   bool operator==(const UpdateCount&) const = default;
 };
-/// Of one behavior, from a whole IVPHELM_SUMMARY; nothing if that does not tell.
+/// Count of one behavior, from a whole IVPHELM_SUMMARY; nothing if that does not tell.
 [[nodiscard]] std::optional<UpdateCount> UpdateCountIn(std::string_view summary,
                                                        std::string_view behavior);
 

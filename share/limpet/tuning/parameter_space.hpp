@@ -21,7 +21,7 @@ struct VariedParameter {
   /// `owner.key=low:high` or `owner.key=low:high:levels`.
   [[nodiscard]] static Expected<VariedParameter> Parse(std::string_view text);
 
-  /// Of a share from 0 to 1: its value, or the nearest level's.
+  /// The value at a share of the range from 0 to 1, or the nearest level's.
   [[nodiscard]] double ValueAt(double share) const;
   [[nodiscard]] double ShareOf(double value) const { return (value - low) / (high - low); }
   [[nodiscard]] std::string Text() const;
@@ -39,7 +39,7 @@ class ParameterSpace {
       : parameters_(std::move(parameters)) {}
 
   [[nodiscard]] const std::vector<VariedParameter>& parameters() const { return parameters_; }
-  /// As options of a survey: `owner.key=value`.
+  /// The setting as options of a survey: `owner.key=value`.
   [[nodiscard]] std::vector<std::string> TextsOf(const SettingValues& setting) const;
   [[nodiscard]] SettingValues At(const Eigen::VectorXd& shares) const;
   /// Each coordinate in shares of its range, outside of 0 to 1 where the value is out of range.

@@ -60,7 +60,7 @@ class Race {
   Race(const RaceRules& rules, Contender by_default, Fly fly);
 
   void Enter(const std::vector<SettingValues>& settings);
-  /// Until every contender is eliminated or has all its runs. False if interrupted.
+  /// Runs until every contender is eliminated or has all its runs. False if interrupted.
   [[nodiscard]] bool Run();
 
   [[nodiscard]] const std::vector<Contender>& contenders() const { return contenders_; }

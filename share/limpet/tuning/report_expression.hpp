@@ -23,12 +23,12 @@ class ReportExpression {
   /// The complaint names the position, from 1, and shows it.
   [[nodiscard]] static Expected<ReportExpression> Parse(std::string_view text);
 
-  /// Its value; nothing if a key that it needs has no number in this report (null: a level that was
-  /// never reached) or the result is not finite.
+  /// Value of the expression; nothing if a key that it needs has no number in this report (null: a
+  /// level that was never reached) or the result is not finite.
   [[nodiscard]] std::optional<double> Evaluate(const ReportValues& report) const;
   /// Every key that it names.
   [[nodiscard]] const std::set<std::string>& keys() const { return keys_; }
-  /// Of keys that `report` does not know at all, a complaint with the nearest that it does.
+  /// Complaint about a key that `report` does not know at all, with the nearest that it does.
   [[nodiscard]] std::optional<std::string> UnknownKey(const ReportValues& report) const;
   /// True if its outermost operation compares or decides.
   [[nodiscard]] bool is_condition() const;

@@ -22,7 +22,7 @@ class ReportValues {
   [[nodiscard]] bool Has(const std::string& key) const { return numbers_.contains(key); }
   /// Nothing if the key is unknown or is null in this report.
   [[nodiscard]] std::optional<double> Find(const std::string& key) const;
-  /// In alphabetical order, also those that are null.
+  /// All keys in alphabetical order, also those whose value is null.
   [[nodiscard]] std::vector<std::string> Keys() const;
 
  private:

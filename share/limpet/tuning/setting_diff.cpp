@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By file as the mission names it.
+/// Edits by file, as the mission names it.
 using FileEdits = std::map<std::string, std::vector<LineEdit>>;
 
 std::string LineAt(const SourceLine& where) {

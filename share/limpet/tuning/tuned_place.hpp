@@ -19,8 +19,8 @@ struct TunedPlace {
   bool is_behavior = false;
 };
 
-/// Of `owner.key`. Throws ConfigError with the nearest name if the mission has no such owner, or
-/// the owner no such parameter.
+/// The place of `owner.key`. Throws ConfigError with the nearest name if the mission has no such
+/// owner, or the owner no such parameter.
 [[nodiscard]] TunedPlace FindTunedPlace(const MissionReading& mission, const std::string& name);
 
 }  // namespace limpet

@@ -52,7 +52,7 @@ PlotAxes::Range Widened(double low, double high) {
   return {low - margin, high + margin};
 }
 
-/// Of the means, with the intervals as far as they do not squeeze the rest.
+/// The range that shows all means, and the intervals as far as they do not squeeze the rest.
 PlotAxes::Range ObjectiveRange(const std::vector<Shown>& shown) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Shown& each : shown) {

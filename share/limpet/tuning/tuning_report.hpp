@@ -41,7 +41,7 @@ struct TuningTask {
 
 [[nodiscard]] std::string TuneJson(const TuningTask& task, const ParameterSpace& space,
                                    const TuningOutcome& outcome);
-/// As SVG: the response over each parameter, and with several parameters their parallel
+/// The search as SVG: the response over each parameter, and with several parameters their parallel
 /// coordinates.
 [[nodiscard]] std::string TuneFigure(const TuningTask& task, const ParameterSpace& space,
                                      const TuningOutcome& outcome);

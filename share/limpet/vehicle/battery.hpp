@@ -20,7 +20,7 @@ class Battery {
   void LoseCells(double share) { cells_ = 1.0 - share; }
 
   [[nodiscard]] double charge() const { return charge_; }
-  /// At its terminals, under the last load; 0 once it is off.
+  /// Voltage at the battery's terminals, under the last load; 0 once it is off.
   [[nodiscard]] double volts() const { return volts_; }
   [[nodiscard]] double amperes() const { return amperes_; }
   [[nodiscard]] double used_wh() const { return used_wh_; }  ///< given at its terminals

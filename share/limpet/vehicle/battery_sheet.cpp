@@ -16,7 +16,7 @@ struct CurvePoint {
 constexpr std::array<CurvePoint, 5> kCurve{
     {{0.0, 0.0}, {0.1, 0.42}, {0.5, 0.6}, {0.9, 0.88}, {1.0, 1.0}}};
 
-/// Between the points whose `from` enclose `at`, their `to`.
+/// The curve's `to` where its `from` is `at`, on the line between the points around it.
 double Interpolate(double CurvePoint::*from, double CurvePoint::*to, double at) {
   const double inside = std::clamp(at, 0.0, 1.0);
   std::size_t i = 1;

@@ -41,8 +41,8 @@ struct BatterySheet {
           InRange(0.0, 0.5));
   }
 
-  /// At rest [V], by charge, the share of a full one (0 to 1): steep at both ends, flat between, as
-  /// cells of lithium are.
+  /// Voltage at rest [V], by charge, the share of a full one (0 to 1): steep at both ends, flat
+  /// between, as cells of lithium are.
   [[nodiscard]] double OpenCircuitVolts(double charge) const;
   /// The charge of which that is the voltage.
   [[nodiscard]] double ChargeAt(double open_circuit_v) const;

@@ -31,7 +31,7 @@ class CvodeIntegrator {
   void Advance(const ThrusterVector& wanted_thrust, double duration,
                std::vector<TimedEvent>& events);
   [[nodiscard]] const StateVector& state() const;
-  /// Since the start [s].
+  /// Time since the start [s].
   [[nodiscard]] double time() const;
   /// Steps that CVODE gave up and a fixed step bridged.
   [[nodiscard]] int failures() const;

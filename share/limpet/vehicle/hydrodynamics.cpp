@@ -34,7 +34,7 @@ Matrix6 RigidBodyMass(const VehicleParams& params, const Vector3d& inertia) {
   return M;
 }
 
-/// Of the ellipsoid that is as long and wide and displaces as much.
+/// Half axes [m] of the ellipsoid that is as long and wide and displaces as much as the vehicle.
 Vector3d HalfAxes(const VehicleParams& params) {
   const double displaced_mass =
       (params.mass * params.gravity + params.net_buoyancy_n) / params.gravity;

@@ -191,7 +191,8 @@ struct SonarSheet {
   Meters greatest_range{15.0};
   double range_noise_m = 0.05;
 
-  /// Of the outermost beam to port, clockwise from ahead, and between two beams [rad].
+  /// Bearing of the outermost beam to port, clockwise from ahead, and angle between two beams
+  /// [rad].
   [[nodiscard]] double first_bearing() const { return -0.5 * fan.value(); }
   [[nodiscard]] double bearing_step() const { return fan.value() / (beams - 1); }
 

@@ -11,7 +11,7 @@
 
 namespace limpet {
 
-/// As many as a vehicle may have; `ThrusterLayout` says how many it has.
+/// As many thrusters as a vehicle may have; `ThrusterLayout` says how many it has.
 inline constexpr int kMostThrusters = 8;
 /// Something of each thruster; zero of those that a vehicle has not.
 using ThrusterVector = Eigen::Matrix<double, kMostThrusters, 1>;
@@ -31,7 +31,7 @@ struct Thruster {
 /// pushes down), unless a vehicle's file says otherwise.
 struct ThrusterLayout {
   static constexpr double kDiagonal = 0.70710678118654752;  // cos and sin of 45 deg
-  /// At most kMostThrusters.
+  /// The thrusters that the vehicle has, at most kMostThrusters.
   std::vector<Thruster> thrusters = {{{0.2, 0.2, 0.0}, {kDiagonal, -kDiagonal, 0.0}},
                                      {{0.2, -0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},
                                      {{-0.2, 0.2, 0.0}, {kDiagonal, kDiagonal, 0.0}},

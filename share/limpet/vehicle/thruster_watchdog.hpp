@@ -19,13 +19,13 @@ class ThrusterWatchdog {
 
   /// Takes normalised thrusts, each in [-1, 1], heard at `now`. False, and counted, if refused.
   bool Hear(const ThrusterVector& command, Seconds now);
-  /// To be told the time now and then: a clock that was set back must not make a command young.
+  /// Tells it the time, now and then: a clock that was set back must not make a command young.
   void KeepUp(Seconds now);
   /// What is in force at `time`: the last command, or zero.
   [[nodiscard]] ThrusterVector At(Seconds time) const;
   /// True if a command was heard, and all of them are older than the limit.
   [[nodiscard]] bool IsStale(Seconds time) const;
-  /// Since the last command was heard; absent if none was.
+  /// Time since the last command was heard; absent if none was.
   [[nodiscard]] std::optional<Seconds> Age(Seconds time) const;
   [[nodiscard]] int refused() const { return refused_; }
 

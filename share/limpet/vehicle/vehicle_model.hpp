@@ -53,7 +53,7 @@ class VehicleModel {
   [[nodiscard]] StateVector Derivative(const StateVector& x, const ThrusterVector& wanted_thrust,
                                        bool with_seabed) const;
 
-  /// At rest, level, afloat at `place_W` (north, east); drifting with the current.
+  /// State at rest, level, afloat at `place_W` (north, east); drifting with the current.
   [[nodiscard]] StateVector Afloat(const Eigen::Vector2d& place_W, double yaw) const;
   [[nodiscard]] VehicleMotion Motion(const StateVector& x,
                                      const ThrusterVector& wanted_thrust) const;

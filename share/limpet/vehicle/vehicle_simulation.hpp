@@ -28,7 +28,8 @@ class VehicleSimulation {
   /// the thrusters' drives would. Says what happened, in order.
   std::vector<TimedEvent> Advance(const ThrusterVector& command, Seconds duration);
 
-  /// From now on [m/s], in W. Small steps only: an integrator takes them for the same motion.
+  /// Sets the current from now on [m/s], in W. Small steps only: an integrator takes them for the
+  /// same motion.
   void SetCurrent(const Eigen::Vector3d& current_W) { model_->SetCurrent(current_W); }
 
   [[nodiscard]] VehicleMotion motion() const;

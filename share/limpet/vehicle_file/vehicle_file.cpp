@@ -21,7 +21,8 @@
 namespace limpet {
 namespace {
 
-/// With fewer nothing pushes ahead, aside and down and turns, each by itself.
+/// Least number of thrusters: with fewer nothing pushes ahead, aside and down and turns, each by
+/// itself.
 constexpr std::size_t kLeastThrusters = 4;
 
 namespace fs = std::filesystem;

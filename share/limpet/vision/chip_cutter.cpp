@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-/// At least one pixel of the image.
+/// The square to be cut out around the box: at least one pixel, all inside the image.
 cv::Rect SquareAround(const Box& box, double context, const ImageView& image) {
   const double half = 0.5 * context * std::max({box.w, box.h, 1.0});
   const auto edge = [](double at, int size) {

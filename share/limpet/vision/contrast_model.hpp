@@ -13,7 +13,7 @@ class ContrastModel {
  public:
   ContrastModel(double visibility_m, Random& site);
 
-  /// Of a picture taken `range` metres above the ground.
+  /// Contrast of the ground drawn for a picture taken `range` metres above it.
   [[nodiscard]] GroundContrast Draw(double range, Random& random) const;
 
   static constexpr double kCloseBy = 0.04;      ///< contrast of the ground without water

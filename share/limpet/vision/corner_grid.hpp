@@ -22,7 +22,7 @@ class CornerGrid {
   static constexpr std::array<float, kBlock> kShare{0.0625F, 0.1875F, 0.3125F, 0.4375F,
                                                     0.5625F, 0.6875F, 0.8125F, 0.9375F};
 
-  /// Over the image of `camera`.
+  /// A grid over the image of `camera`.
   CornerGrid(const CameraModel& camera, std::size_t layers);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }
@@ -72,7 +72,7 @@ class CornerGrid {
   struct Steps {
     std::int32_t u, v, step_u, step_v;
   };
-  /// In units of 1/`finer` of the layers'.
+  /// Steps along a block, in units of 1/`finer` of the layers' own.
   [[nodiscard]] Steps StepsIn(std::size_t block, const float* u, const float* v,
                               float finer = 1.0F) const {
     const float per_pixel = finer / kBlock;

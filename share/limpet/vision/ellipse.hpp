@@ -15,10 +15,11 @@ struct Ellipse {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();
 
-  /// With the second moments of a region that it fills.
+  /// The ellipse whose filled region has these second moments.
   [[nodiscard]] static Ellipse OfMoments(const Eigen::Vector2d& center,
                                          const Eigen::Matrix2d& covariance);
-  /// In the direction (cos t, sin t), at `scale` of the outline's distance from the centre.
+  /// The point in the direction (cos t, sin t), at `scale` of the outline's distance from the
+  /// centre.
   [[nodiscard]] Eigen::Vector2d At(const Eigen::Vector2d& direction, double scale) const {
     return center + scale * (axes * direction);
   }

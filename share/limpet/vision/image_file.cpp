@@ -12,7 +12,7 @@
 namespace limpet {
 namespace {
 
-/// Of a header that asks for more pixels than OpenCV takes, or than there is memory for.
+/// Words on a header that asks for more pixels than OpenCV takes, or than there is memory for.
 std::string WordsOn(const cv::Exception& exception) {
   return exception.code == cv::Error::StsNoMem
              ? "too large an image for this machine's memory"

@@ -13,7 +13,7 @@ namespace limpet {
 /// The same pixels. OpenCV takes no const ones: for what only reads them.
 [[nodiscard]] cv::Mat MatOf(const ImageView& image);
 
-/// And back. `pixels` has 3 bytes a pixel and no gaps between its rows.
+/// A view of the matrix. `pixels` has 3 bytes a pixel and no gaps between its rows.
 [[nodiscard]] ImageView ViewOf(const cv::Mat& pixels);
 
 }  // namespace limpet

@@ -8,7 +8,7 @@
 
 namespace limpet {
 
-/// Where in the pinhole's image each pixel comes from.
+/// Where in the pinhole's image each pixel of the lens's image comes from.
 struct LensImage::Map {
   cv::Mat places, weights;
 };

@@ -31,7 +31,7 @@ struct RefinedOutline {
   double sides = 0.0;      ///< share of all directions whose edge lies inside the image
   double roughness = 0.0;  ///< rms distance of those edges from the ellipse, in radii
 
-  /// By the image's border, mostly.
+  /// True if much of the outline is missing, mostly as the image's border cuts it.
   [[nodiscard]] bool IsCut() const { return sides < 0.8; }
 };
 

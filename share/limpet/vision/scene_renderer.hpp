@@ -33,8 +33,8 @@ class SceneRenderer {
                              std::uint32_t frame);
 
  private:
-  /// Of the corners: place in the texture [1/256 texel], and per channel what is left of the
-  /// seabed's light and the veil before it.
+  /// Values of the grid's corners: place in the texture [1/256 texel], and per channel what is left
+  /// of the seabed's light and the veil before it.
   enum Layer { kAcross, kAlong, kGain, kVeil = kGain + 3, kLayers = kVeil + 3 };
   struct View;  // of one frame
 

@@ -13,7 +13,7 @@ struct SeabedPoint {
   SeabedRelief::Surface ground;  ///< near there: as of the last step towards it
 };
 
-/// Of a camera at one place.
+/// Rays to the seabed of a camera at one place.
 class SeabedRays {
  public:
   /// `farthest`: of a ray, in units of itself; for rays that meet nothing. `relief` must outlive

@@ -13,7 +13,7 @@
 
 namespace limpet {
 
-/// By the name's extension.
+/// True if the file's name has the extension of a video.
 [[nodiscard]] bool IsVideoName(const std::filesystem::path& file);
 /// True if the program `ffmpeg` is on PATH.
 [[nodiscard]] bool CanReadVideos();

@@ -57,7 +57,7 @@ class Measures {
   [[nodiscard]] std::optional<double> Number(std::string_view key) const {
     return ParseNumber(Text(key));
   }
-  /// Above zero, or nothing.
+  /// The measure's value if it is above zero; nothing else.
   [[nodiscard]] std::optional<double> Length(std::string_view key) const {
     const std::optional<double> length = Number(key);
     return length && *length > 0.0 ? length : std::nullopt;
@@ -152,7 +152,7 @@ std::optional<Points> Bowtie(const Measures& in) {
   return points;
 }
 
-/// From side to side of a line, the left first.
+/// Points of a zigzag from side to side of a line, the left first.
 std::optional<Points> Zigzag(const Measures& in) {
   const auto start = in.Place("x", "y");
   const auto angle = in.Bearing("angle");
@@ -187,7 +187,7 @@ std::optional<Points> Radial(const Measures& in) {
   return points;
 }
 
-/// From the far end of its long axis on; angles go from east to north.
+/// Points of an ellipse from the far end of its long axis on; angles go from east to north.
 std::optional<Points> Ellipse(const Measures& in) {
   constexpr double kFewest = 4.0;
   const auto center = in.Place("x", "y");

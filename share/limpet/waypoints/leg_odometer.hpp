@@ -32,10 +32,10 @@ class LegOdometer {
   bool Reach(const MapPoint& at, Seconds now, double speed);
   /// The present leg does not count, e.g. as another speed is wanted now.
   void Spoil() { is_spoilt_ = true; }
-  /// As Spoil, and what is travelled until the next Move does not count either.
+  /// Spoils the leg as Spoil does, and what is travelled until the next Move does not count either.
   void Pause() { Spoil(), last_.reset(); }
 
-  /// Since the last waypoint [m].
+  /// Way travelled since the last waypoint [m].
   [[nodiscard]] double travelled_m() const { return travelled_m_; }
   /// The last leg that counted, and all of them.
   [[nodiscard]] const LegSums& leg() const { return leg_; }

@@ -31,7 +31,7 @@ class LegPlan {
   [[nodiscard]] const LegTurn& turn(std::size_t end) const { return turns_.at(end); }
   /// No turn gets tighter than this [m].
   void SetLeastRadius(double radius) { least_radius_ = radius; }
-  /// Between two points of a turn [rad].
+  /// Sets the angle between two points of a turn [rad].
   void SetPointGap(double gap) { point_gap_ = gap; }
 
   /// Both ends are known. What follows REQUIRES it.

@@ -13,7 +13,7 @@ namespace limpet {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// From `from` to `to`, in (-pi, pi]; 0 if they are one point.
+/// Bearing from `from` to `to`, in (-pi, pi]; 0 if they are one point.
 [[nodiscard]] inline double BearingTo(const MapPoint& from, const MapPoint& to) {
   return std::atan2(to.x - from.x, to.y - from.y);
 }

@@ -15,9 +15,9 @@
 
 namespace limpet {
 
-/// Of the parameter declared last existing missions may give `1.5` for 1.
+/// Lets existing missions give `1.5` for 1 of the parameter declared last.
 void TakeWholePart(ParamCollector& visit);
-/// Of the number of metres declared last existing missions may give the unit, too: `5 m`.
+/// Lets existing missions give the unit, too, of the number of metres declared last: `5 m`.
 void TakeMetres(ParamCollector& visit);
 
 /// The name of a variable without blanks; empty: not posted.

@@ -43,7 +43,7 @@ bool IsOfDrawing(std::string_view text) {
   return comma != std::string_view::npos && IsDrawingWord(Trim(text.substr(0, comma)));
 }
 
-/// Of a text with points in braces: where they begin and end, and what is beside them.
+/// A text with points in braces: where they begin and end, and what is beside them.
 struct BracedPoints {
   std::string_view before, points, behind;
 };

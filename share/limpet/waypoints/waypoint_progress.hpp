@@ -35,7 +35,7 @@ class WaypointProgress {
   void SetIndex(std::size_t index);
   /// How often the list is travelled after the first time; nothing: for ever.
   void SetRepeats(std::optional<int> repeats) { repeats_ = repeats; }
-  /// From the first point again, as if nothing had been travelled.
+  /// Begins from the first point again, as if nothing had been travelled.
   void Restart();
   /// The next distance is not compared with those before: the vehicle went elsewhere.
   void ForgetApproach() { nearest_.reset(); }
