@@ -13,6 +13,7 @@
 #include "limpet/helm/node_message.hpp"
 #include "limpet/helm/registry.hpp"
 #include "limpet/helm/settings_text.hpp"
+#include "limpet/helm/toggled_switches.hpp"
 #include "limpet/topics/mission.hpp"
 #include "limpet/topics/viewer.hpp"
 
@@ -52,7 +53,7 @@ std::unique_ptr<Behavior> HostedBehavior::Make(const ConfigBlock& block) {
 }
 
 HostedBehavior::HostedBehavior(ConfigBlock block, RealClock clock)
-    : block_(std::move(block)), watch_(std::move(clock)) {
+    : block_(WithoutToggles(std::move(block))), watch_(std::move(clock)) {
   std::vector<ConfigProblem> problems;
   settings_ = ReadCommonSettings(block_, problems);
   try {

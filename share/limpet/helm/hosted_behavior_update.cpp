@@ -6,6 +6,7 @@
 
 #include "limpet/helm/hosted_behavior.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/helm/toggled_switches.hpp"
 
 namespace limpet {
 namespace {
@@ -36,7 +37,7 @@ bool HostedBehavior::IsMeant(const BehaviorUpdate& update) const {
 std::optional<std::string> HostedBehavior::TryPart(const ConfigEntry& part,
                                                    ConfigBlock& block) const {
   ConfigBlock changed = block;
-  PutInto(changed, part, Adds(block, part));
+  PutInto(changed, WithoutToggle(part, block), Adds(block, part));
   std::vector<ConfigProblem> problems;
   static_cast<void>(ReadCommonSettings(changed, problems));
   try {
