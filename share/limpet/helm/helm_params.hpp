@@ -59,6 +59,13 @@ struct HelmParams {
           "Without NAV_STATE: NAV_X and its kin may be so old; with a time warp a second of real "
           "time at least",
           InRange(Seconds(0.1), Seconds(3600.0)));
+    // To pHelmIvP it is how long it waits before it says so, and NAV_X and its kin never grow old.
+    visit.TakenAs(
+        "0 and below: the default",
+        [text = TextOf(nav_grace.value())](std::string_view given) -> std::optional<std::string> {
+          const std::optional<double> seconds = ParseNumber(given);
+          return seconds && *seconds <= 0.0 ? std::optional(text) : std::nullopt;
+        });
     visit("post_ipf", post_ipf,
           "BHV_IPF: each bid on the motion as pieces, for uFunctionVis and alogview; some 5 kB of "
           "log a second in a survey");

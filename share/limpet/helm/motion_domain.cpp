@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-constexpr std::int64_t kFewestPoints = 2;
+constexpr std::int64_t kFewestPoints = 2;  ///< where the ends are two values
 constexpr std::int64_t kMostPoints = 100000;
 
 std::vector<std::string> VariableNames() {
@@ -57,6 +57,27 @@ std::optional<std::int64_t> PointsOf(const std::string& text, double low, double
   return static_cast<std::int64_t>(std::floor(steps + kRounding)) + 1;
 }
 
+/// Whether the last part of a line says `optional`. MOOS-IvP takes any other word for its contrary;
+/// a slip of the pen is refused.
+Expected<bool> IsOptional(const std::vector<std::string>& parts) {
+  if (parts.size() < 5) return false;
+  if (EqualsIgnoringCase(parts[4], "optional")) return true;
+  if (NearestWord(parts[4], {"optional"}).empty()) return false;
+  return Error{fmt::format("`{}` is not allowed at the end; did you mean `optional`?", parts[4])};
+}
+
+/// How many points the range of a line has: one where its ends are the same.
+Expected<int> PointCountOf(const std::string& line, const std::string& text, double low,
+                           double high) {
+  const std::int64_t fewest = low < high ? kFewestPoints : 1;
+  const std::int64_t most = low < high ? kMostPoints : 1;
+  const std::optional<std::int64_t> points = PointsOf(text, low, high);
+  if (points && *points >= fewest && *points <= most) return static_cast<int>(*points);
+  return Error{fmt::format("`{}` has {} points; allowed: {}", line, text,
+                           low < high ? fmt::format("a whole number, at least {}", kFewestPoints)
+                                      : "1, where low is high")};
+}
+
 /// The range of a line as it is written: courses in degrees.
 Expected<MotionAxis> AxisOf(const std::string& line, const std::vector<std::string>& parts) {
   const auto number = [&parts](std::size_t i) {
@@ -65,21 +86,18 @@ Expected<MotionAxis> AxisOf(const std::string& line, const std::vector<std::stri
   const std::optional<double> low = number(1), high = number(2);
   const bool has_form = parts.size() == 4 || parts.size() == 5;
   const bool has_points = has_form && (number(3) || DeltaOf(parts[3]));
-  if (!low || !high || !has_points || *low >= *high) {
+  // Courses close in a circle, of which one point is none.
+  const bool may_be_one = !EqualsIgnoringCase(parts[0], NameOf(MotionVariable::kCourse));
+  if (!low || !high || !has_points || *low > *high || (*low == *high && !may_be_one)) {
     return Error{fmt::format(
-        "`{}` is not allowed; allowed: name:low:high:points[:optional], low below high", line)};
+        "`{}` is not allowed; allowed: name:low:high:points[:optional], low below high{}", line,
+        may_be_one ? ", or the same with 1 point" : "")};
   }
-  const bool is_optional = parts.size() == 5 && EqualsIgnoringCase(parts[4], "optional");
-  if (parts.size() == 5 && !is_optional) {
-    return Error{fmt::format("`{}` is not allowed at the end; allowed: optional", parts[4])};
-  }
-  const std::optional<std::int64_t> points = PointsOf(parts[3], *low, *high);
-  if (!points || *points < kFewestPoints || *points > kMostPoints) {
-    return Error{fmt::format("`{}` has {} points; allowed: a whole number, at least {}", line,
-                             parts[3], kFewestPoints)};
-  }
-  MotionAxis axis{
-      .low = *low, .high = *high, .points = static_cast<int>(*points), .is_optional = is_optional};
+  const Expected<bool> is_optional = IsOptional(parts);
+  if (!is_optional) return is_optional.error();
+  const Expected<int> points = PointCountOf(line, parts[3], *low, *high);
+  if (!points) return points.error();
+  MotionAxis axis{.low = *low, .high = *high, .points = *points, .is_optional = *is_optional};
   if (const std::optional<double> delta = DeltaOf(parts[3])) {
     axis.high = axis.low + (axis.points - 1) * *delta;  // the last point that fits
   }

@@ -24,14 +24,14 @@ inline constexpr std::array kMotionVariables{MotionVariable::kCourse, MotionVari
   return static_cast<std::size_t>(variable);
 }
 
-/// The values that a decision variable may take: evenly spaced points, both ends included. Courses
-/// in radians clockwise from north, speeds in m/s, depths in m.
+/// The values that a decision variable may take: evenly spaced points, both ends included, or one
+/// where these are the same. Courses in radians clockwise from north, speeds in m/s, depths in m.
 struct MotionAxis {
   double low = 0.0, high = 1.0;
   int points = 2;
   bool is_optional = false;  ///< the helm drives on where nobody bids on it
 
-  [[nodiscard]] double step() const { return (high - low) / (points - 1); }
+  [[nodiscard]] double step() const { return points > 1 ? (high - low) / (points - 1) : 0.0; }
   [[nodiscard]] double At(int point) const { return low + point * step(); }
   bool operator==(const MotionAxis&) const = default;
 };
@@ -51,8 +51,10 @@ struct MotionDomain {
 };
 
 /// Reads `name:low:high:points[:optional]` lines into `domain`, whose variables are then those of
-/// the lines; every problem. Commas may stand for the colons, and `delta=STEP` for the points, as
-/// in MOOS-IvP. Course and speed must each be there once; without depth none is decided.
+/// the lines; every problem. Commas may stand for the colons, `delta=STEP` for the points, and any
+/// word that is not `optional` behind them for nothing, as in MOOS-IvP; a speed or a depth may be
+/// one value alone, as `depth:0:0:1`. Course and speed must each be there once; without depth none
+/// is decided.
 [[nodiscard]] std::vector<ConfigProblem> ReadMotionDomain(std::span<const ConfigEntry> lines,
                                                           const SourceLine& block,
                                                           MotionDomain& domain);

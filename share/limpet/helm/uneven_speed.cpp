@@ -13,6 +13,7 @@ constexpr double kSlow = 0.1, kFaster = 0.4;  ///< [m/s]; the second beyond the 
 constexpr double kFastValue = 0.2;
 
 int NearestIndex(double speed, const MotionAxis& axis) {
+  if (axis.points == 1) return 0;
   const double point = std::floor((speed - axis.low) / axis.step() + 0.5);
   return static_cast<int>(std::clamp(point, 0.0, axis.points - 1.0));
 }

@@ -74,6 +74,7 @@ void CheckBlocks(const MissionReading& reading, MissionProblems& found) {
         app.stands_for.empty() ? ListFor(reading, app.process, found) : found.refused_here;
     Append(app.entry->check(app.block), list);
     Append(IgnoredKeys(app.block, app.entry->describe()), found.notes);
+    Append(AlteredValues(app.block, app.entry->describe()), found.notes);
     NoteRepeats(app, found);
     if (app.process == "pHelm") {
       CheckDomain(app, list);

@@ -77,6 +77,23 @@ TEST(MotionDomainLines, AreReadInTheFormsOfExistingMissions) {
   EXPECT_FALSE(read.domain.speed->is_optional);
 }
 
+TEST(MotionDomainLines, OfOneValueAreOfOnePoint) {
+  const DomainRead read = ReadDomain({"course:0:359:360", "speed:0:4:41", "depth:0:0:1"});
+  EXPECT_THAT(read.problems, IsEmpty());
+  EXPECT_EQ(read.domain.points(MotionVariable::kDepth), 1);
+  EXPECT_EQ(read.domain.depth->step(), 0.0);
+  EXPECT_EQ(read.domain.depth->At(0), 0.0);
+  const std::vector<std::string> lines{"course:0:359:360", "depth:2.5:2.5:1"};
+  EXPECT_EQ(MotionDomainText(lines), "depth,2.5,2.5,1:course,0,359,360");
+}
+
+TEST(MotionDomainLines, MaySayAnyWordForAVariableThatIsNotOptional) {
+  const DomainRead read = ReadDomain({"course:0:359:360:required", "speed:0:4:41:x"});
+  EXPECT_THAT(read.problems, IsEmpty());
+  EXPECT_FALSE(read.domain.course->is_optional);
+  EXPECT_FALSE(read.domain.speed->is_optional);
+}
+
 TEST(MotionDomainLines, AreToldAsOneText) {
   const std::vector<std::string> lines{"course:0:359:360", "speed: 0:1:21",
                                        "depth,0,9,10,optional"};
@@ -111,10 +128,11 @@ TEST_P(BadDomainLine, IsRefusedWithItsLine) {
 
 INSTANTIATE_TEST_SUITE_P(Drawn, BadDomainLine,
                          ::testing::Values("", ":", "speed", "speed:0", "speed:0:1", "speed:1:0:21",
-                                           "speed:1:1:21", "speed:0:x:21", "speed:0:1:1",
-                                           "speed:0:1:2.5", "speed:0:1:-4", "speed:nan:1:21",
-                                           "speed:0:1:many", "speed:0:1:21:maybe",
-                                           "speed:0:1:delta=0", "speed:0:1:delta=3"));
+                                           "speed:1:1:21", "speed:1:1:2", "speed:0:x:21",
+                                           "speed:0:1:1", "speed:0:1:2.5", "speed:0:1:-4",
+                                           "speed:nan:1:21", "speed:0:1:many",
+                                           "speed:0:1:21:optionl", "speed:0:1:delta=0",
+                                           "speed:0:1:delta=3"));
 
 std::vector<std::string> DomainProblems(const std::vector<std::string>& lines,
                                         MotionDomain& domain) {
@@ -152,7 +170,9 @@ TEST(MotionDomain, NamesFileLineAndWhatIsWrong) {
   EXPECT_THAT(with(1, "sped:0:1:21"), HasSubstr("m.moos:11: domain: no decision variable `sped`"));
   EXPECT_THAT(with(1, "sped:0:1:21"), HasSubstr("did you mean `speed`?"));
   EXPECT_THAT(with(2, "depth:10:0:11"), HasSubstr("m.moos:12: domain: `depth:10:0:11`"));
-  EXPECT_THAT(with(2, "depth:10:10:11"), HasSubstr("low below high"));
+  EXPECT_THAT(with(2, "depth:10:10:11"), HasSubstr("has 11 points; allowed: 1, where low is high"));
+  EXPECT_THAT(with(0, "course:90:90:1"), HasSubstr("low below high"));
+  EXPECT_THAT(with(2, "depth:0:10:11:optionl"), HasSubstr("did you mean `optional`?"));
   EXPECT_THAT(with(2, "depth:0:10"), HasSubstr("name:low:high:points"));
   EXPECT_THAT(with(2, "depth:0:ten:11"), HasSubstr("name:low:high:points"));
   EXPECT_THAT(with(1, "speed:0:1:1"), HasSubstr("at least 2"));

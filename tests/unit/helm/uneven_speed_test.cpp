@@ -46,6 +46,17 @@ TEST(UnevenSpeed, OfTheSlowestTheFastestAndOneBeyondIsStillTheBestThere) {
   }
 }
 
+TEST(UnevenSpeed, OfADomainOfOneSpeedIsBestThere) {
+  UnevenSpeed speed;
+  MotionDomain domain;
+  domain.speed = MotionAxis{.low = 1.0, .high = 1.0, .points = 1};
+  for (const double wanted : {0.5, 1.0, 2.0}) {
+    const MotionTable& table = *speed.Around({.speed = wanted, .share = 0.5}, domain);
+    EXPECT_FALSE(table.Problem()) << wanted;
+    EXPECT_NEAR(ValueAt(table, 0), 0.5, 1e-6) << wanted;
+  }
+}
+
 TEST(UnevenSpeed, HasNoSayWhereNoSpeedIsDecided) {
   MotionDomain domain = SpeedsTo(2.0, 11);
   domain.speed.reset();
