@@ -21,8 +21,9 @@ using Reader = std::function<std::optional<std::string>(const std::string& text,
 
 struct CommonKey {
   std::vector<std::string> names;  ///< the first is the usual one
-  Reader read;                     ///< absent: known and without effect
+  Reader read;                     ///< absent: any value will do
   bool is_repeatable = false;
+  bool is_without_effect = false;
 };
 
 std::string NotAllowed(const std::string& text, const char* allowed) {
@@ -128,11 +129,20 @@ Reader FlagTo(std::vector<Flag> FlagLists::*list) {
   };
 }
 
-Reader TextTo(std::string CommonSettings::*field) {
-  return [field](const std::string& text, CommonSettings& settings) -> std::optional<std::string> {
-    settings.*field = text;
-    return std::nullopt;
-  };
+std::optional<std::string> ReadUpdates(const std::string& text, CommonSettings& settings) {
+  if (!text.empty() && HasBlank(text)) return NotAllowed(text, "one VARIABLE, without blanks");
+  settings.updates_variable = text;
+  return std::nullopt;
+}
+
+/// It has no effect here; a slip in it is one all the same.
+std::optional<std::string> CheckPolicy(const std::string& text, CommonSettings&) {
+  const std::vector<std::string> policies{"open", "lean", "dire"};
+  const auto is_text = [&text](const auto& known) { return EqualsIgnoringCase(known, text); };
+  if (std::ranges::any_of(policies, is_text)) return std::nullopt;
+  const std::string nearest = NearestWord(text, policies);
+  return NotAllowed(text, "open, lean, dire") +
+         (nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest));
 }
 
 const std::vector<CommonKey>& Keys() {
@@ -149,7 +159,7 @@ const std::vector<CommonKey>& Keys() {
       {{"spawnflag", "spawn_flag"}, FlagTo(&FlagLists::spawn), true},
       {{"spawnxflag", "spawnx_flag"}, FlagTo(&FlagLists::spawnx), true},
       {{"configflag", "config_flag"}, FlagTo(&FlagLists::config), true},
-      {{"updates"}, TextTo(&CommonSettings::updates_variable)},
+      {{"updates"}, ReadUpdates},
       {{"perpetual"},
        [](const std::string& text, CommonSettings& settings) -> std::optional<std::string> {
          const std::optional<bool> flag = ParseFlag(text);
@@ -175,9 +185,9 @@ const std::vector<CommonKey>& Keys() {
       {{"post_mapping"}, ReadMapping, true},
       {{"templating"}, ReadTemplating},
       {{"max_spawnings"}, ReadMaxSpawnings},
-      {{"comms_policy"}, {}},
-      {{"build_info"}, {}, true},
-      {{"precision"}, {}}};
+      {{"comms_policy"}, CheckPolicy, false, true},
+      {{"build_info"}, {}, true, true},
+      {{"precision"}, {}, false, true}};
   return keys;
 }
 
@@ -227,7 +237,7 @@ bool IsRepeatableCommonKey(std::string_view key) {
 
 bool IsIgnoredCommonKey(std::string_view key) {
   const CommonKey* known = FindKey(key);
-  return known != nullptr && !known->read;
+  return known != nullptr && known->is_without_effect;
 }
 
 }  // namespace limpet

@@ -234,6 +234,20 @@ TEST_F(BehaviorHostTest, RefusesABadFileWithEveryProblemAndItsLine) {
   EXPECT_THAT(complaint, HasSubstr("`size_m`"));
 }
 
+TEST_F(BehaviorHostTest, RefusesAnUpdatesVariableThatMailCannotHave) {
+  EXPECT_THAT(ComplaintAbout("  updates = UP DATES\n"),
+              HasSubstr("m.bhv:4: updates: `UP DATES` is not allowed; allowed: one VARIABLE"));
+  EXPECT_EQ(ComplaintAbout("  updates =\n"), "") << "none";
+}
+
+TEST_F(BehaviorHostTest, RefusesACommsPolicyThatThereIsNot) {
+  EXPECT_THAT(ComplaintAbout("  comms_policy = leen\n"),
+              HasSubstr("m.bhv:4: comms_policy: `leen` is not allowed; allowed: open, lean, dire; "
+                        "did you mean `lean`?"));
+  EXPECT_THAT(ComplaintAbout("  comms_policy = silly\n"), HasSubstr("allowed: open, lean, dire"));
+  EXPECT_EQ(ComplaintAbout("  comms_policy = Dire\n"), "");
+}
+
 TEST_F(BehaviorHostTest, NamesTheNearestOfABehaviorThatThereIsNot) {
   try {
     const BehaviorHost host({ParseBehaviors("Behavior = BHV_HostProb\n{\n}\n", "m.bhv")});
