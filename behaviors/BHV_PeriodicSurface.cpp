@@ -4,14 +4,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "limpet/core/number_text.hpp"
 #include "limpet/helm/registry.hpp"
+#include "limpet/helm/updated_keys.hpp"
 #include "limpet/waypoints/map_params.hpp"
 
 namespace limpet {
+namespace {
+
+/// `VARIABLE, seconds, seconds`.
+std::optional<BHV_PeriodicSurface::PutOff> ParsePutOff(std::string_view text) {
+  const std::vector<std::string> parts = Split(text, ',');
+  if (parts.size() != 3) return std::nullopt;
+  const std::string variable(Trim(parts[0]));
+  const auto each = ParseNumber(parts[1]), most = ParseNumber(parts[2]);
+  const bool is_name = !variable.empty() && variable.find_first_of(" \t") == std::string::npos;
+  if (!is_name || !each || !most || *each <= 0.0 || *most < *each) return std::nullopt;
+  return BHV_PeriodicSurface::PutOff{
+      .variable = variable, .each = Seconds(*each), .most = Seconds(*most)};
+}
+
+}  // namespace
 
 void BHV_PeriodicSurface::Params::Describe(ParamCollector& visit) {
   visit("period", period, "Time between ascents", InRange(Seconds(1e-3), Seconds(1e6)));
@@ -45,16 +62,37 @@ void BHV_PeriodicSurface::Params::Describe(ParamCollector& visit) {
         InRange(Meters(0.0), Meters(6000.0)));
   visit("max_time_at_surface", longest_stay, "It dives again after so long without a mark",
         InRange(Seconds(0.0), Seconds(1e6)));
-  visit.WithoutEffect({"acomms_mark_variable"});
+  visit.Parsed("acomms_mark_variable", "VARIABLE, seconds above 0, as many seconds or more",
+               "Each new text of it puts the ascent off by so much, up to so much in a period", "",
+               [this](std::string_view text) {
+                 put_off = ParsePutOff(text);
+                 return put_off || text.empty();
+               });
 }
 
-bool BHV_PeriodicSurface::TakeOver(const Behavior& former, const std::vector<std::string>&) {
+std::vector<std::string> BHV_PeriodicSurface::Variables() const {
+  std::vector<std::string> names{params_.mark_variable};
+  if (params_.put_off) names.push_back(params_.put_off->variable);
+  return names;
+}
+
+bool BHV_PeriodicSurface::TakeOver(const Behavior& former, const std::vector<std::string>& keys) {
   dive_ = dynamic_cast<const BHV_PeriodicSurface&>(former).dive_;
+  if (HasKey(keys, {"acomms_mark_variable"})) dive_.put_off = Seconds(0.0);
   return true;
 }
 
 Seconds BHV_PeriodicSurface::Pending(Seconds now) const {
-  return params_.period - (now - dive_.marked.value_or(now));
+  return params_.period - (now - dive_.marked.value_or(now)) + dive_.put_off;
+}
+
+void BHV_PeriodicSurface::HearPutOff(const VehicleState& state) {
+  if (!params_.put_off) return;
+  const Stamped<limpet::Value>* heard = state.Heard(params_.put_off->variable);
+  const auto* text = heard != nullptr ? std::get_if<std::string>(&heard->value) : nullptr;
+  if (text == nullptr || *text == dive_.put_off_text) return;
+  dive_.put_off_text = *text;
+  dive_.put_off = std::min(dive_.put_off + params_.put_off->each, params_.put_off->most);
 }
 
 bool BHV_PeriodicSurface::IsMarked(const VehicleState& state) {
@@ -104,7 +142,12 @@ MotionBid BHV_PeriodicSurface::Move(const VehicleState& state) {
   MotionBid bid;
   acts.Post(params_.pending_variable, std::round(Pending(state.now).value()));
   const bool is_marked = IsMarked(state);
-  if (is_marked) dive_.marked = state.now;
+  if (is_marked) {
+    dive_.marked = state.now;
+    dive_.put_off = Seconds(0.0);
+  } else {
+    HearPutOff(state);
+  }
   if (is_marked || Pending(state.now) > Seconds(0.0)) {
     if (dive_.phase == Phase::kAscending) acts.Post("PERIODIC_ASCEND", std::string("false"));
     dive_.phase = Phase::kWaiting;

@@ -46,6 +46,37 @@ TEST(BhvPeriodicSurface, GivesUpWaitingForAFix) {
   EXPECT_GT(flight.depth(), 15.0);
 }
 
+TEST(BhvPeriodicSurface, PutsItsAscentOffByWhatAModemSays) {
+  HelmFlight flight(
+      Dive() + kCruise +
+      BehaviorBlock("BHV_PeriodicSurface", kSurface + "  acomms_mark_variable = MODEM, 30, 50\n"));
+  flight.Fly(50.0);
+  EXPECT_EQ(flight.Last("PENDING_SURFACE"), "50");
+  const auto pending_after = [&flight](const std::string& text) {
+    flight.Say("MODEM", text);
+    flight.Fly(1.0);
+    return std::stod(flight.Last("PENDING_SURFACE"));
+  };
+  EXPECT_NEAR(pending_after("one"), 79.0, 1.0);
+  EXPECT_NEAR(pending_after("one"), 78.0, 1.0) << "the text that it was put off by";
+  EXPECT_NEAR(pending_after("two"), 97.0, 1.0) << "50 s in all";
+  EXPECT_NEAR(pending_after("three"), 96.0, 1.0);
+  flight.Say("FIX", std::string("43.1,10.2"));
+  flight.Fly(1.0);
+  EXPECT_NEAR(std::stod(flight.Last("PENDING_SURFACE")), 99.0, 1.0) << "a period as any";
+  EXPECT_NEAR(pending_after("four"), 128.0, 1.0) << "put off anew";
+}
+
+TEST(BhvPeriodicSurface, RefusesAModemsMarkThatIsNone) {
+  for (const char* mark : {"A", "A, B", "A, 10", "A B, 10, 20", ", 10, 20", "A, 0, 10", "A, 20, 10",
+                           "A, 10, 20, 30", "A, ten, 20"}) {
+    EXPECT_THROW(HelmFlight(BehaviorBlock("BHV_PeriodicSurface",
+                                          kSurface + "  acomms_mark_variable = " + mark + "\n")),
+                 ConfigError)
+        << mark;
+  }
+}
+
 TEST(BhvPeriodicSurface, SlowsDownOnItsWayUpAsItsGradeSays) {
   const auto speed_at = [](const std::string& grade) {
     HelmFlight flight(Dive() + kCruise +
