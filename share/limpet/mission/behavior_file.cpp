@@ -164,9 +164,22 @@ class BehaviorParser {
     block_ = {.name = "set " + pair.key, .where = where, .entries = {}};
     result_.modes.push_back({pair.key, pair.value, {}, "", where});
     place_ = Place::kBeforeMode;
+    if (rest.find('{') != std::string_view::npos) return RefuseModeOfOneLine(rest, where);
     if (has_blank(pair.key) || has_blank(pair.value)) {
       Complain(where, "set", fmt::format("`{}` is not VARIABLE = VALUE", rest));
     }
+  }
+
+  /// `set MODE = A { X = true } B`: what comes after it is read as if it stood on lines of its own.
+  void RefuseModeOfOneLine(std::string_view rest, const SourceLine& where) {
+    Complain(where, "set",
+             fmt::format("`{}` is not allowed in one line; allowed: `{{` at the end of the first "
+                         "line or alone, each condition on a line of its own, and `}}` before the "
+                         "value that holds else",
+                         rest));
+    const bool is_closed = rest.find('}') != std::string_view::npos;
+    const bool has_else = is_closed && !rest.ends_with('}');
+    place_ = has_else ? Place::kTop : is_closed ? Place::kAfterMode : Place::kInMode;
   }
 
   void ExpectBrace(const TextLine& line, Place next) {

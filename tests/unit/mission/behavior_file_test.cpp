@@ -87,6 +87,17 @@ TEST(BehaviorFile, RefusesDoubleEqualsInModes) {
               HasSubstr("m.bhv:2: set MODE: `==`"));
 }
 
+TEST(BehaviorFile, TellsOnceThatAModeNeedsLinesOfItsOwn) {
+  const std::string next = "Behavior=BHV_X\n{\nname=a\n}\n";
+  for (const char* mode : {"set M = A { X = true } B\n", "set M = A { X = true }\nB\n",
+                           "set M = A { X = true }\n", "set M = A { X = true\n} B\n"}) {
+    const std::string complaint = BehaviorErrorsOf(mode + next);
+    EXPECT_THAT(complaint, HasSubstr("m.bhv:1: set: `M = A { X = true")) << mode;
+    EXPECT_THAT(complaint, HasSubstr("each condition on a line of its own")) << mode;
+    EXPECT_EQ(complaint.find("m.bhv:", 1), std::string::npos) << complaint;
+  }
+}
+
 TEST(BehaviorFile, ReportsAnOpenBlock) {
   EXPECT_THAT(BehaviorErrorsOf("Behavior=BHV_X\n{\nname=a\n"),
               HasSubstr("m.bhv:1: BHV_X: has no closing"));
