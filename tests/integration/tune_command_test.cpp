@@ -151,12 +151,16 @@ TEST_F(TuneCommandLine, RefusesSlipsBeforeItSearches) {
   EXPECT_THAT(complaint({objective, "--vary=cover.frontier_weight=0:999"}),
               HasSubstr("--vary cover.frontier_weight=0:999: `999` is not allowed; allowed: 0 to "
                         "100"));
+  for (const char* again : {"--vary=cover.pwt=0:1", "--vary=cover.PWT=0:2"}) {
+    EXPECT_THAT(complaint({objective, "--vary=cover.pwt=0:1", again}), HasSubstr("is given twice"));
+  }
   EXPECT_THAT(complaint({objective, "--vary=home.when=0:1"}), HasSubstr("no number"));
   EXPECT_THAT(complaint({objective, "--vary=cover.pwt=0:1", "--constraint=seed"}),
               HasSubstr("compares nothing"));
   EXPECT_THAT(complaint({"--objective=1 +", "--vary=cover.pwt=0:1"}), HasSubstr("at 4"));
   EXPECT_THAT(complaint({"--objective=sessions.discovery.path", "--vary=cover.pwt=0:1"}),
               HasSubstr("did you mean `sessions.discovery.path_m`"));
+  EXPECT_FALSE(fs::exists(At("out/results"))) << "nothing was flown for any of these";
 }
 
 /// LimpetDB and pHelm of the small mission, for as long as it lives.

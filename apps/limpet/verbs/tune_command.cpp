@@ -10,6 +10,7 @@
 
 #include "apps/limpet/verbs/survey_options.hpp"
 #include "apps/limpet/verbs/tune_form.hpp"
+#include "apps/limpet/verbs/tune_keys.hpp"
 #include "limpet/core/number_text.hpp"
 #include "limpet/preflight/mission_reading.hpp"
 #include "limpet/preflight/preflight.hpp"
@@ -22,23 +23,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ReportExpression ExpressionOf(const std::string& option, const std::string& text) {
+/// What an option says; a slip in a key is found before anything is flown for it.
+ReportExpression ExpressionOf(const std::string& option, const std::string& text,
+                              const Arguments& given) {
   Expected<ReportExpression> expression = ReportExpression::Parse(text);
   if (!expression) throw UsageError(fmt::format("{} {}", option, expression.error().text));
+  std::vector<std::string> sessions = Split(given.Find("sessions").value_or(""), ',');
+  std::ranges::transform(sessions, sessions.begin(),
+                         [](const std::string& name) { return std::string(Trim(name)); });
+  if (const auto problem = ImpossibleKey(*expression, sessions)) {
+    throw UsageError(fmt::format("{} {}", option, *problem));
+  }
   return *std::move(expression);
 }
 
 ParameterSpace SpaceOf(const Arguments& given) {
   std::vector<VariedParameter> parameters;
-  const std::vector<std::string> texts = given.All("vary");
-  for (auto at = texts.begin(); at != texts.end(); ++at) {
-    const std::string& text = *at;
-    if (std::find(texts.begin(), at, text) != at) continue;  // said twice, and equally
+  for (const std::string& text : given.All("vary")) {
     Expected<VariedParameter> parameter = VariedParameter::Parse(text);
     if (!parameter) throw UsageError("--vary " + parameter.error().text);
-    const bool is_double = std::ranges::any_of(
-        parameters, [&](const VariedParameter& p) { return p.name == parameter->name; });
-    if (is_double) throw UsageError(fmt::format("--vary {} is given two ranges", parameter->name));
+    const bool is_double = std::ranges::any_of(parameters, [&](const VariedParameter& p) {
+      return EqualsIgnoringCase(p.name, parameter->name);
+    });
+    if (is_double) throw UsageError(fmt::format("--vary {} is given twice", parameter->name));
     parameters.push_back(*std::move(parameter));
   }
   if (parameters.empty())
@@ -80,12 +87,12 @@ TuneCommand ReadTuneCommand(const Arguments& given) {
     throw UsageError(fmt::format("no mission in {}", mission.string()));
   }
   TuneCommand command{.space = SpaceOf(given),
-                      .objective = ExpressionOf("--objective", *given.Find("objective")),
+                      .objective = ExpressionOf("--objective", *given.Find("objective"), given),
                       .constraints = {},
                       .plan = {},
                       .settings = given.All("set")};
   for (const std::string& text : given.All("constraint")) {
-    command.constraints.push_back(ExpressionOf("--constraint", text));
+    command.constraints.push_back(ExpressionOf("--constraint", text, given));
     if (!command.constraints.back().is_condition()) {
       throw UsageError(fmt::format("--constraint `{}` compares nothing", text));
     }
