@@ -94,21 +94,38 @@ bool IsSameWorth(const HelmBids& bids, std::size_t a, std::size_t b, const Flip&
   return with.lead == 0.0 && with.gain == 0.0;
 }
 
-/// The first weight behind a crossing at which an option wins that differs. At the crossing itself
-/// rounding decides, so it steps out from a billionth of the weights.
+/// How large the parts of an option's merit are: what its rounding goes with.
+double PartsOf(const BiddenOption& option, OptionOrder order) {
+  double parts = 0.0;
+  for (const WeightedBid& bid : option.bids)
+    parts += std::abs(ShareOf(bid, option, order));
+  return parts;
+}
+
+/// True if `a` is worth more than `b` by more than rounding could make it.
+bool IsClearlyBetter(const BiddenOption& a, const BiddenOption& b, OptionOrder order) {
+  const double scale = std::max(PartsOf(a, order), PartsOf(b, order));
+  return MeritOf(a, order) - MeritOf(b, order) > kRounding * scale;
+}
+
+/// The first weight behind a crossing at which an option that differs wins, and clearly. At the
+/// crossing itself rounding decides, so it steps out from a billionth of the weights.
 std::optional<Flip> FlipBehind(const Crossing& crossing, const Flip& in_force, const HelmBids& bids,
                                std::size_t chosen) {
   constexpr double kFirstStep = 1e-9;
-  constexpr int kSteps = 8;
+  constexpr int kSteps = 15;  // the last one is a quarter of the weights
   double step = kFirstStep * std::max({1.0, crossing.weight, in_force.weight});
   for (int i = 0; i < kSteps; ++i, step *= 4.0) {
     Flip flip = in_force;
     flip.new_weight = std::max(0.0, crossing.weight + crossing.way * step);
-    const auto choice = ChoiceOf(Reweighted(bids, flip.behavior, flip.new_weight));
-    if (choice && *choice != chosen && !IsSameWorth(bids, chosen, *choice, in_force)) {
+    const HelmBids changed = Reweighted(bids, flip.behavior, flip.new_weight);
+    const auto choice = ChoiceOf(changed);
+    if (choice && *choice != chosen && !IsSameWorth(bids, chosen, *choice, in_force) &&
+        IsClearlyBetter(changed.options[*choice], changed.options[chosen], bids.order)) {
       flip.to = *choice;
       return flip;
     }
+    if (flip.new_weight == 0.0) break;  // no weight is less
   }
   return std::nullopt;  // only level with it
 }

@@ -79,6 +79,27 @@ TEST(Flip, IsNotThereWhereTheBidsDifferByRounding) {
   EXPECT_EQ(FlipOf(bids, "home"), std::nullopt) << "a weight of 6e16 is no advice";
 }
 
+/// Of a survey: without `cover` only the way home counts, and the rest of a plan ends where the
+/// whole plan does, to rounding.
+TEST(Flip, IsNotThereWhereRoundingWouldDecideAtWeightZero) {
+  const double home = 0.3, same_home = 0.1 + 0.2;
+  ASSERT_GT(same_home, home);
+  const HelmBids less = Table({{10.0, {Says("cover", 8.0), Says("home", home)}},
+                               {10.0, {Says("cover", 5.0), Says("home", same_home)}}});
+  EXPECT_EQ(ChoiceOf(Reweighted(less, "cover", 0.0)), 1U) << "by rounding";
+  EXPECT_EQ(FlipOf(less, "cover"), std::nullopt);
+}
+
+TEST(Flip, LeadsToWeightZeroWhereAnotherIsClearlyAheadThere) {
+  const HelmBids bids = Table({{10.0, {Says("cover", 8.0), Says("home", 0.0)}},
+                               {10.0, {Says("cover", 5.0), Says("home", 1e-7)}}});
+  const auto flip = FlipOf(bids, "cover");
+  ASSERT_TRUE(flip);
+  EXPECT_EQ(flip->to, 1U);
+  EXPECT_LT(flip->new_weight, 1e-7 / 3.0);
+  EXPECT_EQ(ChoiceOf(Reweighted(bids, "cover", flip->new_weight)), 1U);
+}
+
 TEST(Flip, LeadsPastAnOptionThatIsWorthTheSame) {
   const HelmBids bids = Table({{246.2, {Says("cover", 100.3), Says("look", 0.3)}},
                                {246.2, {Says("cover", 100.3), Says("look", 0.1 + 0.2)}},
