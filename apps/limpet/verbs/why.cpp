@@ -51,28 +51,42 @@ change of its weight that would have led elsewhere.
       .more = R"(Times are seconds since the start of the log; of a live community, MOOS time. The
 worth of an option is the sum of bids times weights, in metres of path (nats with the paper's
 planner); the best per metre wins. Of a vehicle without a survey it says who wants which course,
-speed and depth, and with --from, --to or --changes each time that changes. Exit code 1 if there is no such decision.)",
+speed and depth, and with --from, --to or --changes each time that changes, and why. While the helm
+is parked or has stopped all, it says since when and for what. Exit code 1 if there is no such
+decision.)",
       .takes = "one run folder, one log, or one mission",
       .least_words = 1,
       .most_words = 1};
 }
 
-std::vector<LoggedDecision> Between(const DecisionLog& log, const Arguments& given) {
-  std::vector<LoggedDecision> chosen;
-  std::ranges::copy_if(log.decisions(), std::back_inserter(chosen), [&](const auto& decision) {
-    return decision.time >= given.Number("from").value_or(decision.time) &&
-           decision.time <= given.Number("to").value_or(decision.time);
+/// Those of `timed` at which --from and --to let look.
+template <class Timed>
+std::vector<Timed> Between(const std::vector<Timed>& timed, const Arguments& given) {
+  std::vector<Timed> chosen;
+  std::ranges::copy_if(timed, std::back_inserter(chosen), [&](const Timed& one) {
+    return one.time >= given.Number("from").value_or(one.time) &&
+           one.time <= given.Number("to").value_or(one.time);
   });
   return chosen;
 }
 
+/// Decisions, and where the helm stopped and went on, in order of time.
 std::vector<Explanation> ExplainAll(const std::vector<LoggedDecision>& decisions,
+                                    const std::vector<MotionChange>& stops,
                                     const DecisionLog& log) {
   std::vector<Explanation> explanations;
+  std::ranges::transform(stops, std::back_inserter(explanations), ExplainChange);
   std::ranges::transform(decisions, std::back_inserter(explanations), [&log](const auto& decision) {
     return Explain(decision, log.MotionAt(decision.time));
   });
+  std::ranges::stable_sort(explanations, {}, &Explanation::time);
   return explanations;
+}
+
+/// Without a table of options there is how it moved.
+Frame ShownFrame(const Explanation& explanation) {
+  const bool is_motion_only = explanation.options.empty() && explanation.path_id == 0;
+  return is_motion_only ? FrameOfMotion(explanation) : FrameOf(explanation);
 }
 
 int Complain(const std::string& text) {
@@ -81,17 +95,18 @@ int Complain(const std::string& text) {
 }
 
 int PrintMany(const WhySource& source, const Arguments& given) {
-  const std::vector<LoggedDecision> decisions = Between(source.log, given);
-  if (decisions.empty()) {
+  const std::vector<LoggedDecision> decisions = Between(source.log.decisions(), given);
+  const std::vector<MotionChange> stops = Between(StopsOf(source.log), given);
+  if (decisions.empty() && stops.empty()) {
     return Complain(source.place + ": no decision in that time");
   }
   if (given.Has("json")) {
-    fmt::print("{}", JsonOf(ExplainAll(decisions, source.log), source.session));
+    fmt::print("{}", JsonOf(ExplainAll(decisions, stops, source.log), source.session));
   } else if (given.Has("changes")) {
-    PrintFrame(ChangesOf(decisions));
+    PrintFrame(ChangesOf(decisions, stops));
   } else {
-    for (const Explanation& explanation : ExplainAll(decisions, source.log)) {
-      PrintFrame(FrameOf(explanation));
+    for (const Explanation& explanation : ExplainAll(decisions, stops, source.log)) {
+      PrintFrame(ShownFrame(explanation));
       fmt::print("\n");
     }
   }
@@ -116,37 +131,52 @@ int PrintOne(const WhySource& source, const Arguments& given) {
   return kOk;
 }
 
-/// Where no behavior decides where next, how it moves is all there is to say.
-int PrintMotion(const WhySource& source, const Arguments& given) {
-  const std::vector<LoggedMotion>& all = source.log.motions();
-  if (!given.Has("from") && !given.Has("to") && !given.Has("changes")) {
-    const std::optional<double> time = given.Number("at");
-    const LoggedMotion* motion = time ? source.log.MotionAt(*time) : &all.back();
-    if (motion == nullptr) {
-      return Complain(fmt::format("{}: the helm says nothing yet at {:g} s; first at {:.1f} s",
-                                  source.place, *time, all.front().time));
-    }
-    const Explanation explanation = ExplainMotion(*motion);
-    if (given.Has("json")) {
-      fmt::print("{}", JsonOf(explanation, source.session));
-    } else {
-      PrintFrame(FrameOfMotion(explanation));
-    }
-    return kOk;
+/// Changes of the time asked for, and what was in force as that began.
+std::vector<MotionChange> ChangesAskedFor(const DecisionLog& log, const Arguments& given) {
+  const std::vector<MotionChange> all = ChangesOfMotion(log);
+  std::vector<MotionChange> chosen = Between(all, given);
+  const std::optional<double> from = given.Number("from");
+  if (!from) return chosen;
+  const auto later = std::ranges::upper_bound(all, *from, {}, &MotionChange::time);
+  std::optional<LoggedMotion> motion = log.MotionAt(*from);
+  if (later == all.begin() || !motion || (!chosen.empty() && chosen.front().time == *from)) {
+    return chosen;
   }
-  std::vector<LoggedMotion> chosen;
-  std::ranges::copy_if(all, std::back_inserter(chosen), [&](const LoggedMotion& motion) {
-    return motion.time >= given.Number("from").value_or(motion.time) &&
-           motion.time <= given.Number("to").value_or(motion.time);
-  });
-  chosen = ChangesOfMotion(chosen);
-  if (chosen.empty()) return Complain(source.place + ": the helm says nothing in that time");
+  const MotionChange& last = *std::prev(later);
+  chosen.insert(chosen.begin(),
+                {.time = *from,
+                 .cause = fmt::format("as since {:.1f} s: {}", last.time, last.cause),
+                 .motion = *std::move(motion)});
+  return chosen;
+}
+
+int PrintMotions(const WhySource& source, const Arguments& given) {
+  const std::vector<MotionChange> changes = ChangesAskedFor(source.log, given);
+  if (changes.empty()) return Complain(source.place + ": the helm says nothing in that time");
   if (given.Has("json")) {
     std::vector<Explanation> explanations;
-    std::ranges::transform(chosen, std::back_inserter(explanations), ExplainMotion);
+    std::ranges::transform(changes, std::back_inserter(explanations), ExplainChange);
     fmt::print("{}", JsonOf(explanations, source.session));
   } else {
-    PrintFrame(FrameOfMotions(chosen));
+    PrintFrame(FrameOfMotions(changes));
+  }
+  return kOk;
+}
+
+/// Where no behavior decides where next, how it moves is all there is to say.
+int PrintMotion(const WhySource& source, const Arguments& given) {
+  const std::optional<double> time = given.Number("at");
+  const std::optional<LoggedMotion> motion =
+      source.log.MotionAt(time.value_or(std::numeric_limits<double>::infinity()));
+  if (!motion) {
+    return Complain(fmt::format("{}: the helm says nothing yet at {:g} s; first at {:.1f} s",
+                                source.place, *time, source.log.motions().front().time));
+  }
+  const Explanation explanation = ExplainMotion(*motion);
+  if (given.Has("json")) {
+    fmt::print("{}", JsonOf(explanation, source.session));
+  } else {
+    PrintFrame(FrameOfMotion(explanation));
   }
   return kOk;
 }
@@ -173,15 +203,21 @@ int PrintWhy(const Arguments& given) {
                "limpet why: {}: {} HELM_BIDS or HELM_MOTION cannot be read and are left out\n",
                OneLine(source.place), source.log.unreadable());
   }
-  if (source.log.decisions().empty() && source.log.motions().empty()) {
-    return Complain(source.place + ": no decision of the helm: no HELM_BIDS, no HELM_MOTION");
+  const bool is_survey = !source.log.decisions().empty();
+  if (!is_survey && source.log.motions().empty()) {
+    std::string text = source.place + ": no decision of the helm: no HELM_BIDS, no HELM_MOTION";
+    if (!source.log.stops().empty() && !source.log.stops().back().end) {
+      const HelmStop& stop = source.log.stops().back();
+      text += fmt::format("; it is stopped since {:.1f} s: {}", stop.begin, stop.why);
+    }
+    return Complain(text);
   }
   if (!source.session.empty() && !given.Has("json")) {
     fmt::print("session {}\n\n", OneLine(source.session));
   }
-  if (source.log.decisions().empty()) return PrintMotion(source, given);
   const bool wants_many = given.Has("from") || given.Has("to") || given.Has("changes");
-  return wants_many ? PrintMany(source, given) : PrintOne(source, given);
+  if (is_survey) return wants_many ? PrintMany(source, given) : PrintOne(source, given);
+  return wants_many ? PrintMotions(source, given) : PrintMotion(source, given);
 }
 
 }  // namespace

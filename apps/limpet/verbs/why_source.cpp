@@ -66,7 +66,8 @@ WhySource FromLog(const std::string& word, const std::optional<std::string>& ses
   AlogEntry entry;
   while (input.Next(line, entry)) {
     if (line.kind == AlogLine::Kind::kEntry) {
-      source.log.Take(entry.name, entry.value, entry.time);
+      source.log.Take({.variable = entry.name, .writer = entry.aux, .value = entry.value},
+                      entry.time);
     }
   }
   input.PrintDoubts();
@@ -78,11 +79,14 @@ WhySource FromCommunity(const Arguments& given, const std::string& mission) {
   Community community(address, OwnName("uWhy"));
   community.Watch(topics::kHelmBids.name);
   community.Watch(topics::kHelmMotion.name);
-  const auto mail = community.Settle();
+  community.Watch(topics::kHelmState.name);
+  community.Watch(topics::kHelmAllStop.name);
+  auto mail = community.Settle();
   if (!mail) {
     throw std::runtime_error(
         fmt::format("{} did not answer within {:g} s", address.Text(), address.patience.value()));
   }
+  std::ranges::stable_sort(*mail, {}, [](const auto& heard) { return heard.message.time; });
   WhySource source{.log = {}, .session = {}, .place = address.Text()};
   for (const auto& [message, heard] : *mail) {
     if (const auto* text = std::get_if<std::string>(&message.value)) {

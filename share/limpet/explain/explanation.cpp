@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ ExplainedOption Explained(const BiddenOption& option) {
 
 }  // namespace
 
-Explanation Explain(const LoggedDecision& decision, const LoggedMotion* motion) {
+Explanation Explain(const LoggedDecision& decision, std::optional<LoggedMotion> motion) {
   const HelmBids& bids = decision.bids;
   Explanation explanation{.time = decision.time,
                           .path_id = bids.path_id,
@@ -74,10 +75,7 @@ Explanation Explain(const LoggedDecision& decision, const LoggedMotion* motion) 
                           .options = {},
                           .bidders = BiddersOf(bids),
                           .flips = FlipsOf(bids),
-                          .motion = {}};
-  if (motion != nullptr) {
-    explanation.motion = *motion;
-  }
+                          .motion = std::move(motion)};
   for (std::size_t i = 0; i < bids.options.size(); ++i) {
     ExplainedOption option = Explained(bids.options[i]);
     if (const WeightedBid* veto = VetoOn(bids.options[i])) {

@@ -36,9 +36,9 @@ struct Explanation {
   std::optional<LoggedMotion> motion;  ///< how it moved; nothing: nobody said
 };
 
-/// `motion`: how the vehicle moved when that is asked for; may be null.
+/// `motion`: how the vehicle moved when that is asked for.
 [[nodiscard]] Explanation Explain(const LoggedDecision& decision,
-                                  const LoggedMotion* motion = nullptr);
+                                  std::optional<LoggedMotion> motion = {});
 
 /// A decision in a line: what was chosen, of how many, because of what.
 [[nodiscard]] std::string SummaryOf(const Explanation& explanation);

@@ -57,6 +57,7 @@ Json Built(const LoggedMotion& logged) {
           {"course_deg", OrNull(logged.motion.course_deg)},
           {"speed_mps", OrNull(logged.motion.speed_mps)},
           {"depth_m", OrNull(logged.motion.depth_m)},
+          {"stopped", OrNull(logged.stopped)},
           {"bids", bids}};
 }
 

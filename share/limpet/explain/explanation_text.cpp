@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/decision/deciding_bid.hpp"
+#include "limpet/explain/motion_difference.hpp"
 
 namespace limpet {
 namespace {
@@ -141,24 +143,35 @@ std::string Shown(const std::optional<double>& value, const char* unit) {
   return value ? DecimalText(*value, 2) + unit : "nobody's";
 }
 
-const char* UnitOf(const std::string& variable) {
-  return variable == "course" ? " deg" : variable == "speed" ? " m/s" : " m";
+/// `course 92.8 deg`, or which variables it judges together.
+std::string ShownWish(const HelmMotion& motion, std::size_t i, int digits) {
+  const MotionOpinion& opinion = motion.opinions[i];
+  std::string wish = OneLine(opinion.variables, 24);
+  if (opinion.summit) {
+    wish += " " + DecimalText(*opinion.summit, digits) + UnitOf(opinion.variables);
+  }
+  return wish + (IsPresentCourse(motion, i) ? " (present course)" : "");
 }
 
 Frame MotionTable(const LoggedMotion& logged) {
   const HelmMotion& motion = logged.motion;
+  const std::string state =
+      logged.stopped
+          ? fmt::format("  stopped since {:.1f} s: {}", logged.time, OneLine(*logged.stopped, 60))
+          : fmt::format("  moving now ({:.1f} s): course {}, speed {}, depth {}", logged.time,
+                        Shown(motion.course_deg, " deg"), Shown(motion.speed_mps, " m/s"),
+                        Shown(motion.depth_m, " m"));
+  Frame frame{Line(state)};
+  if (logged.stopped && motion.opinions.empty()) return frame;
   TextTable table({"  how it moved", "wants", "gets"});
-  for (const MotionOpinion& opinion : motion.opinions) {
-    const std::string wants = opinion.summit ? fmt::format("{}{}", DecimalText(*opinion.summit, 2),
-                                                           UnitOf(opinion.variables))
-                                             : "a function of all of these";
+  for (std::size_t i = 0; i < motion.opinions.size(); ++i) {
+    const MotionOpinion& opinion = motion.opinions[i];
     table.Add({{fmt::format("  {}", Shown(opinion.behavior))},
-               {fmt::format("{} {}", OneLine(opinion.variables, 24), wants)},
-               {fmt::format("{:.2f} x {}", opinion.value, DecimalText(opinion.weight, 3))}});
+               {ShownWish(motion, i, 2) + (opinion.summit ? "" : " a function of all of these")},
+               {logged.stopped
+                    ? "-"
+                    : fmt::format("{:.2f} x {}", opinion.value, DecimalText(opinion.weight, 3))}});
   }
-  Frame frame{Line(fmt::format("  moving now ({:.1f} s): course {}, speed {}, depth {}",
-                               logged.time, Shown(motion.course_deg, " deg"),
-                               Shown(motion.speed_mps, " m/s"), Shown(motion.depth_m, " m")))};
   Append(table.Lines(), frame);
   return frame;
 }
@@ -197,30 +210,42 @@ Frame FrameOfMotion(const Explanation& explanation) {
   return frame;
 }
 
-Frame FrameOfMotions(std::span<const LoggedMotion> motions) {
-  TextTable table({"     time", "course", "speed", "depth", "wanted by"});
-  for (const LoggedMotion& logged : motions) {
-    const HelmMotion& motion = logged.motion;
+Frame FrameOfMotions(std::span<const MotionChange> changes) {
+  TextTable table({"     time", "cause", "course", "speed", "depth", "wanted by"});
+  for (const MotionChange& change : changes) {
+    const HelmMotion& motion = change.motion.motion;
+    const bool is_stopped = change.motion.stopped.has_value();
     std::string wanted;
-    for (const MotionOpinion& opinion : motion.opinions) {
-      wanted += fmt::format("{}{}: {}", wanted.empty() ? "" : ", ", Shown(opinion.behavior),
-                            OneLine(opinion.variables, 24));
-      if (opinion.summit) {
-        wanted += " " + DecimalText(*opinion.summit, 2) + UnitOf(opinion.variables);
-      }
+    for (std::size_t i = 0; i < motion.opinions.size(); ++i) {
+      wanted += fmt::format("{}{}: {}", wanted.empty() ? "" : ", ",
+                            Shown(motion.opinions[i].behavior), ShownWish(motion, i, 1));
     }
-    table.Add({{fmt::format("{:>9.1f}", logged.time)},
-               {Shown(motion.course_deg, " deg")},
-               {Shown(motion.speed_mps, " m/s")},
-               {Shown(motion.depth_m, " m")},
-               {wanted.empty() ? "nobody" : wanted}});
+    table.Add({{fmt::format("{:>9.1f}", change.time)},
+               {OneLine(change.cause, 60)},
+               {is_stopped ? "-" : Shown(motion.course_deg, " deg")},
+               {is_stopped ? "-" : Shown(motion.speed_mps, " m/s")},
+               {is_stopped ? "-" : Shown(motion.depth_m, " m")},
+               {!wanted.empty() ? wanted
+                : is_stopped    ? "-"
+                                : "nobody"}});
   }
   return table.Lines();
 }
 
-Frame ChangesOf(std::span<const LoggedDecision> decisions) {
+Frame ChangesOf(std::span<const LoggedDecision> decisions, std::span<const MotionChange> stops) {
   TextTable table({"     time", "path", "cause", "chosen", "decided by"});
+  auto stop = stops.begin();
+  const auto add_stops_until = [&](double time) {
+    for (; stop != stops.end() && stop->time <= time; ++stop) {
+      table.Add({{fmt::format("{:>9.1f}", stop->time)},
+                 {"   -"},
+                 {OneLine(stop->cause, 40)},
+                 {"-"},
+                 {"-"}});
+    }
+  };
   for (const LoggedDecision& decision : decisions) {
+    add_stops_until(decision.time);
     const Explanation explanation = Explain(decision);
     const std::optional<DecidingBid> deciding = DecidingBidOf(decision.bids);
     table.Add({{fmt::format("{:>9.1f}", explanation.time)},
@@ -229,6 +254,7 @@ Frame ChangesOf(std::span<const LoggedDecision> decisions) {
                {OneLine(SummaryOf(explanation), 60)},
                {deciding ? Shown(deciding->behavior) : "-"}});
   }
+  add_stops_until(std::numeric_limits<double>::infinity());
   return table.Lines();
 }
 

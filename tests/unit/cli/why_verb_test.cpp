@@ -153,5 +153,22 @@ TEST_F(WhyVerbTest, OfAVehicleWithoutASurveySaysWhoWantsWhichCourse) {
   EXPECT_THAT(err_, HasSubstr("says nothing yet at 5 s; first at 10.0 s"));
 }
 
+TEST_F(WhyVerbTest, SaysSinceWhenAndWhyTheHelmIsStopped) {
+  WriteLog("a.alog", 1000.0, {{10.0, 1}, {60.0, 2}});
+  std::ofstream(At("a.alog"), std::ios::app)
+      << "61.0  IVPHELM_STATE  pHelm  PARK\n61.0  IVPHELM_ALLSTOP  pHelm  ManualOverride\n"
+      << "70.0  IVPHELM_STATE  pHelm  DRIVE\n70.0  IVPHELM_ALLSTOP  pHelm  clear\n";
+  ASSERT_EQ(Run({At("a.alog"), "--at", "65"}), kOk) << err_;
+  EXPECT_THAT(out_, HasSubstr("stopped since 61.0 s: ManualOverride"));
+  ASSERT_EQ(Run({At("a.alog"), "--at", "65", "--json"}), kOk) << err_;
+  EXPECT_EQ(Json().at("motion").at("stopped"), "ManualOverride");
+  EXPECT_TRUE(Json().at("motion").at("speed_mps").is_null());
+  ASSERT_EQ(Run({At("a.alog"), "--changes"}), kOk) << err_;
+  EXPECT_THAT(out_, HasSubstr("61.0     -  stopped: ManualOverride"));
+  EXPECT_THAT(out_, HasSubstr("70.0     -  goes on after ManualOverride"));
+  ASSERT_EQ(Run({At("a.alog"), "--from", "60.5", "--json"}), kOk) << err_;
+  EXPECT_EQ(Json().size(), 2U);
+}
+
 }  // namespace
 }  // namespace limpet

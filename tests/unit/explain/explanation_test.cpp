@@ -118,11 +118,13 @@ TEST(Explanation, SaysHowTheVehicleMoved) {
                  .speed_mps = 0.5,
                  .depth_m = {},
                  .opinions = {{"follow", "course", 100.0, 0.97, 93.0, 0.0, 90.0},
-                              {"avoid", "course+speed", 50.0, 0.4, {}, {}, {}}}}};
-  const Explanation explanation = Explain(SurveyDecision(), &moved);
+                              {"avoid", "course+speed", 50.0, 0.4, {}, {}, {}}}},
+      .stopped = {}};
+  const Explanation explanation = Explain(SurveyDecision(), moved);
   const auto json = nlohmann::json::parse(JsonOf(explanation, "")).at("motion");
   EXPECT_EQ(json.at("course_deg"), 92.5);
   EXPECT_TRUE(json.at("depth_m").is_null());
+  EXPECT_TRUE(json.at("stopped").is_null());
   EXPECT_EQ(json.at("bids").at(1).at("variables"), "course+speed");
   EXPECT_TRUE(json.at("bids").at(1).at("summit").is_null());
   const std::string text = PlainText(FrameOf(explanation));
