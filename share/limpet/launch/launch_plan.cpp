@@ -16,6 +16,7 @@
 #include "limpet/mission/expanded_text.hpp"
 #include "limpet/mission/outside.hpp"
 #include "limpet/mission/stand_ins.hpp"
+#include "limpet/preflight/mission_reading.hpp"
 #include "limpet/session/session_name.hpp"
 
 namespace limpet {
@@ -201,7 +202,9 @@ void RequireSomething(const LaunchCommand& command, const fs::path& own_folder,
 /// problem.
 void AddNotes(const fs::path& own_folder, LaunchPlan& plan, std::vector<ConfigProblem>& problems) {
   const auto is_ours = [&](const std::string& block) {
-    return EqualsIgnoringCase(block, "ANTLER") ||
+    // Of other people's missions it is written for MOOS's launcher, which drops what it cannot
+    // read.
+    return (EqualsIgnoringCase(block, "ANTLER") && !IsOthersAlone(plan.mission)) ||
            std::ranges::any_of(plan.items, [&](const LaunchItem& item) {
              return EqualsIgnoringCase(item.name, block) &&
                     item.program.parent_path() == own_folder;

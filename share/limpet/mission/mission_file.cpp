@@ -95,7 +95,7 @@ class MissionParser {
   /// Text nested in braces is for others: it is passed over up to the `}` that ends it, or to the
   /// next block where none does.
   bool SkipsNested(const TextLine& raw, const TextLine& line) {
-    if (EqualsIgnoringCase(SplitKeyValue(line.text).key, "ProcessConfig")) {
+    if (IsBlockHeader(SplitKeyValue(line.text).key)) {
       RequireNestedEnded();
       return false;
     }
@@ -137,7 +137,7 @@ class MissionParser {
       return;
     }
     KeyValue pair = SplitKeyValue(line.text);
-    if (EqualsIgnoringCase(pair.key, "ProcessConfig")) {
+    if (IsBlockHeader(pair.key)) {
       OpenBlock(pair.value, line.where);
     } else if (line.text.starts_with('}')) {
       OnStrayBrace(line);
@@ -174,6 +174,7 @@ class MissionParser {
       name = Trim(name.substr(0, name.size() - 1));
     }
     block_ = {.name = std::string(name), .where = where, .entries = {}};
+    std::erase_if(block_.name, [](char letter) { return letter == ' ' || letter == '\t'; });
     place_ = has_brace ? Place::kBlock : Place::kBeforeBrace;
     if (name.empty()) {
       Complain(where, "ProcessConfig", "needs a name");
@@ -198,15 +199,14 @@ class MissionParser {
     KeyValue pair = SplitKeyValue(line.text);
     if (line.text.starts_with('}')) {
       CloseBlock();
-    } else if (EqualsIgnoringCase(pair.key, "ProcessConfig")) {
+    } else if (IsBlockHeader(pair.key)) {
       ComplainInBlock(line.where, "the block has no closing `}` before the next one");
       CloseBlock();
       OpenBlock(pair.value, line.where);
     } else if (line.text.starts_with("# ")) {  // without the blank it may be a misspelt directive
       WarnOf(line.where, "#", "is no comment in mission files (`//` is); ignored");
     } else if (!pair.has_equals || pair.key.empty()) {
-      ComplainInBlock(line.where,
-                      fmt::format("`{}` is neither a comment (//) nor `key = value`", line.text));
+      block_.problems.push_back(BareLine(line, block_.name));
     } else if (!IsDefine(pair.key)) {
       const bool has_value =
           !pair.value.empty() || line.text.find_first_of("[]") != std::string::npos;

@@ -4,7 +4,15 @@
 #include <cstdlib>
 #include <optional>
 
+#include <fmt/format.h>
+
 namespace limpet {
+namespace {
+
+constexpr std::string_view kBare = "is neither a comment (//) nor `key = value`";
+constexpr std::string_view kVariable = "${";
+
+}  // namespace
 
 std::string CleanMissionLine(std::string_view line, bool keeps_quotes) {
   const std::size_t open = line.find('"');
@@ -29,6 +37,20 @@ KeyValue SplitKeyValue(std::string_view line) {
   return {.key = std::string(Trim(line.substr(0, equals))),
           .value = std::string(Trim(line.substr(equals + 1))),
           .has_equals = true};
+}
+
+bool IsBlockHeader(std::string_view key) {
+  std::string bare(key);
+  std::erase_if(bare, [](char letter) { return letter == ' ' || letter == '\t'; });
+  return EqualsIgnoringCase(bare, "ProcessConfig");
+}
+
+ConfigProblem BareLine(const TextLine& line, const std::string& block) {
+  return {line.where, block, fmt::format("`{}` {}", line.text, kBare)};
+}
+
+bool IsPassedOver(const ConfigProblem& problem) {
+  return problem.key.starts_with(kVariable) || problem.text.ends_with(kBare);
 }
 
 void MissionVariables::Learn(const std::vector<TextLine>& lines) {

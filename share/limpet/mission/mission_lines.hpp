@@ -25,6 +25,15 @@ struct KeyValue {
 };
 [[nodiscard]] KeyValue SplitKeyValue(std::string_view line);
 
+/// True for the key of a line that begins a block: MOOS ignores case and white space in it.
+[[nodiscard]] bool IsBlockHeader(std::string_view key);
+
+/// A line of a block that is neither a comment nor `key = value`. MOOS drops it.
+[[nodiscard]] ConfigProblem BareLine(const TextLine& line, const std::string& block);
+/// True for what MOOS passes over in a block of its own programs: a bare line, and a `${NAME}` that
+/// nothing defines, of which it leaves the name.
+[[nodiscard]] bool IsPassedOver(const ConfigProblem& problem);
+
 /// The values of `${NAME}`: every `NAME = value` line of the file, last one first, then the
 /// environment.
 class MissionVariables {

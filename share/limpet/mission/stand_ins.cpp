@@ -5,6 +5,7 @@
 
 #include "limpet/core/program_search.hpp"
 #include "limpet/mission/mission_file.hpp"
+#include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/mission_places.hpp"
 
 namespace limpet {
@@ -16,6 +17,16 @@ bool Says(const ConfigBlock& block, const StandInLine& line) {
            std::ranges::any_of(line.other_names, [&entry](const std::string& name) {
              return EqualsIgnoringCase(entry.key, name);
            });
+  });
+}
+
+void NotePassedOver(ConfigBlock& block, std::vector<ConfigProblem>& warnings) {
+  std::erase_if(block.problems, [&warnings](const ConfigProblem& problem) {
+    if (!IsPassedOver(problem)) return false;
+    warnings.push_back(problem);
+    warnings.back().text += problem.key.starts_with('$') ? "; its bare name is left, as by MOOS"
+                                                         : "; ignored, as by MOOS";
+    return true;
   });
 }
 
@@ -59,6 +70,7 @@ void TakeStandInLines(MissionFile& mission) {
   for (ConfigBlock& block : mission.blocks) {
     const ProgramStandIn* stand_in = StandInFor(ProgramOfBlock(block, mission));
     if (stand_in == nullptr) continue;
+    NotePassedOver(block, mission.warnings);
     for (const StandInLine& line : stand_in->lines) {
       if (!Says(block, line)) block.entries.push_back({line.key, line.value, block.where});
     }

@@ -37,7 +37,8 @@ struct ProgramStandIn {
 /// True if ours runs in place of `program` here: the stock one is not on PATH.
 [[nodiscard]] bool IsStoodInFor(std::string_view program);
 
-/// Adds the lines to the blocks of stock programs.
+/// Adds the lines to the blocks of stock programs. What MOOS passes over in these blocks is no
+/// problem of theirs and becomes a warning of the mission.
 void TakeStandInLines(MissionFile& mission);
 
 }  // namespace limpet

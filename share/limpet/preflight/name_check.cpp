@@ -255,9 +255,8 @@ void CheckLaunches(const MissionReading& reading, MissionProblems& found) {
   const MissionFile& mission = reading.mission();
   CheckThatSomethingRuns(mission, found);
   if (const ConfigBlock* antler = mission.Block("ANTLER")) {  // MOOS passes over such lines
-    std::ranges::copy(
-        antler->problems,
-        std::back_inserter(IsOthersAlone(mission) ? found.refused_here : found.syntax));
+    std::ranges::copy(antler->problems,
+                      std::back_inserter(IsOthersAlone(mission) ? found.notes : found.syntax));
   }
   std::vector<std::string> names;
   for (const LaunchEntry& launch : mission.launches) {

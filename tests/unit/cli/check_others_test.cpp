@@ -113,6 +113,8 @@ TEST(CheckOfOthers, NotesLinesThatMoosPassesOverInTheLaunchersBlock) {
   EXPECT_THAT(others.text, HasSubstr("a.moos:11: note: ANTLER: a `}` too many"));
   EXPECT_THAT(others.text, HasSubstr("note: uSimMarine: is no app of Limpet's"))
       << "the rest is still said";
+  EXPECT_THAT(others.text, Not(HasSubstr("would not"))) << "our launcher passes over them, too\n"
+                                                        << others.text;
   EXPECT_EQ(check("LimpetDB").exit_code, kUsage) << "a mission of ours has no such lines";
 }
 
@@ -274,6 +276,14 @@ TEST_F(CheckOfStockMission, SaysInTheEndIfOursWouldNotRunIt) {
         << bad.helm_line << bad.behaviors;
     EXPECT_THAT(checked.text, HasSubstr("Limpet's own programs would not run it"));
   }
+}
+
+TEST_F(CheckOfStockMission, WithALineThatMoosDropsRunsInOursToo) {
+  const Checked checked = Run("just words\n  behaviors = a.bhv", std::string(kWaypoint) + "}\n");
+  EXPECT_EQ(checked.exit_code, kOk) << checked.text;
+  EXPECT_THAT(checked.text, HasSubstr("note: pHelmIvP: `just words` is neither a comment (//) nor "
+                                      "`key = value`; ignored, as by MOOS"));
+  EXPECT_THAT(checked.text, Not(HasSubstr("would not")));
 }
 
 TEST_F(CheckOfStockMission, OfAPShareWithoutAKeySaysSo) {

@@ -57,6 +57,12 @@ TEST_F(LaunchPlanTest, GivesEachProcessTheMissionAndItsName) {
   EXPECT_EQ(plan.items[0].restart, RestartPolicy::kOnFailure);
 }
 
+TEST_F(LaunchPlanTest, PassesOverLinesOfOtherPeoplesThatMoosDropsAndNotOfOurs) {
+  const std::string lines = "  just words\n  Run = pEcho\n";
+  EXPECT_EQ(Plan(lines + "  Run = MOOSDB\n").items.size(), 2U);
+  EXPECT_THAT(Complaint(lines + "  Run = LimpetDB\n"), HasSubstr("`just words` is neither"));
+}
+
 TEST_F(LaunchPlanTest, RunsAProgramThatIsNotOursWhereTheMissionIs) {
   const std::string before = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): one thread
   const TemporaryFolder stock;

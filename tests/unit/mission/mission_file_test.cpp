@@ -51,6 +51,16 @@ TEST(MissionFile, AcceptsABraceOnTheHeaderLine) {
   EXPECT_NE(ParseMission("processconfig=pA {\nx=1\n}\n", "m.moos").Block("pA"), nullptr);
 }
 
+TEST(MissionFile, FindsABlockWhateverWhiteSpaceItsHeaderHas) {
+  const MissionFile mission = ParseMission(
+      "Process Config = pA\n{\nx = 1\n}\n PROCESS\tCONFIG=p B\n{\n}\nA = 2\n", "m.moos");
+  ASSERT_NE(mission.Block("pA"), nullptr);
+  EXPECT_EQ(mission.Block("pA")->Find("x")->value, "1");
+  EXPECT_NE(mission.Block("pB"), nullptr);
+  EXPECT_EQ(mission.Global("A"), "2");
+  EXPECT_TRUE(mission.warnings.empty());
+}
+
 TEST(MissionFile, UsesOnlyTheFirstBlockOfAName) {
   const MissionFile mission =
       ParseMission("ProcessConfig = pA\n{\nx=1\n}\nProcessConfig = pA\n{\nx=2\n}\n", "m.moos");

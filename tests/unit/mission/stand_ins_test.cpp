@@ -39,6 +39,26 @@ TEST(StandIns, AreKnownByTheProgramThatABlocksNameIsLaunchedFrom) {
   EXPECT_EQ(mission.Block("helm_two")->Find("start_in_drive")->value, "false");
 }
 
+TEST(StandIns, TakeABlockWhoseStrayLinesMoosPassesOver) {
+  const std::string lines = "\n{\n  just words\n  behaviors = ${LIMPET_NO_SUCH}.bhv\n}\n";
+  const MissionFile stock = ReadMission("ProcessConfig = pHelmIvP" + lines, "a.moos", {});
+  EXPECT_TRUE(stock.Block("pHelmIvP")->problems.empty());
+  ASSERT_EQ(stock.warnings.size(), 2U);
+  EXPECT_EQ(stock.warnings[0].Format(),
+            "a.moos:3: pHelmIvP: `just words` is neither a comment (//) nor `key = value`; "
+            "ignored, as by MOOS");
+  EXPECT_NE(stock.warnings[1].Format().find("its bare name is left, as by MOOS"),
+            std::string::npos);
+  EXPECT_EQ(stock.Block("pHelmIvP")->Find("behaviors")->value, "LIMPET_NO_SUCH.bhv");
+  const MissionFile ours = ReadMission("ProcessConfig = pHelm" + lines, "a.moos", {});
+  EXPECT_EQ(ours.Block("pHelm")->problems.size(), 2U) << "strict in a block of ours";
+}
+
+TEST(StandIns, DoNotTakeABlockOfStockProgramsThatIsNotClosed) {
+  const MissionFile stock = ReadMission("ProcessConfig = pHelmIvP\n{\n  a = 1\n", "a.moos", {});
+  EXPECT_EQ(stock.Block("pHelmIvP")->problems.size(), 1U);
+}
+
 TEST(StandIns, AreOneForEachStockProgram) {
   EXPECT_EQ(OwnNameOf("pHelmIvP"), "pHelm");
   EXPECT_EQ(OwnNameOf("uSimMarine"), "uSimMarine");
