@@ -129,7 +129,7 @@ fs::path InputOf(const PlugCommand& command) {
 bool AcceptsWarnings(const PlugCommand& command, const PlugResult& result) {
   for (const ConfigProblem& warning : result.warnings) {
     fmt::print(stderr, "warning: {}\n", warning.Format());
-    const bool is_undefined = warning.key.starts_with("$(");
+    const bool is_undefined = warning.key.starts_with("$(") || warning.key.starts_with("%(");
     if (command.asks && is_undefined && !Confirms("go on?", command.goes_on_by_default)) {
       return false;
     }

@@ -204,7 +204,8 @@ const CommonKey* FindKey(std::string_view key) {
 CommonSettings ReadCommonSettings(const ConfigBlock& block, std::vector<ConfigProblem>& problems) {
   CommonSettings settings;
   settings.name = BehaviorNameOf(block);
-  if (settings.name.find("$(") != std::string::npos) {
+  if (settings.name.find("$(") != std::string::npos ||
+      settings.name.find("%(") != std::string::npos) {
     const ConfigEntry* entry = block.Find("name");
     problems.push_back({entry != nullptr ? entry->where : block.where, "name",
                         fmt::format("`{}` is not allowed: it is a macro still", settings.name)});

@@ -234,7 +234,9 @@ class BehaviorParser {
     for (const ConfigBlock& block : result_.behaviors) {
       const ConfigEntry* entry = block.Find("name");
       const std::string name = BehaviorNameOf(block);
-      if (name.find("$(") != std::string::npos) continue;  // whoever runs it refuses it
+      const bool is_macro = name.find("$(") != std::string::npos ||
+                            name.find("%(") != std::string::npos;  // nsplug knows both
+      if (is_macro) continue;                                      // whoever runs it refuses it
       const SourceLine& where = entry != nullptr ? entry->where : block.where;
       const bool is_allowed = std::ranges::all_of(name, [](char letter) {
         return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||

@@ -301,10 +301,12 @@ class Expander {
   int files_read_ = 0, undefined_ = 0;
 };
 
-/// `$(SPEED:=1.4)` or `$(SPEED=1.4)`.
+/// `$(SPEED:=1.4)`, `$(SPEED=1.4)`, or one of these with `%`.
 bool HasDefaultedMacro(std::string_view line) {
-  for (std::size_t at = line.find("$("); at != std::string_view::npos;
-       at = line.find("$(", at + 1)) {
+  const auto next = [line](std::size_t from) {
+    return std::min(line.find("$(", from), line.find("%(", from));
+  };
+  for (std::size_t at = next(0); at != std::string_view::npos; at = next(at + 1)) {
     const std::size_t end = line.find_first_of(")=", at);
     if (end != std::string_view::npos && line[end] == '=') return true;
   }

@@ -81,10 +81,13 @@ bool IsOurs(const MissionFile& mission, const std::string& block) {
          });
 }
 
-/// Each `$(NAME)` of a value.
+/// Each `$(NAME)` and `%(NAME)` of a value: nsplug knows both.
 std::vector<std::string> MacrosIn(std::string_view text) {
+  const auto next = [text](std::size_t from) {
+    return std::min(text.find("$(", from), text.find("%(", from));
+  };
   std::vector<std::string> macros;
-  for (std::size_t at = text.find("$("); at != std::string_view::npos; at = text.find("$(", at)) {
+  for (std::size_t at = next(0); at != std::string_view::npos; at = next(at)) {
     const std::size_t end = text.find(')', at);
     if (end == std::string_view::npos) break;
     macros.emplace_back(text.substr(at, end + 1 - at));
@@ -93,7 +96,7 @@ std::vector<std::string> MacrosIn(std::string_view text) {
   return macros;
 }
 
-/// Each `$(NAME)` of the values that a complaint quotes; its own words name what is allowed, as in
+/// Each macro of the values that a complaint quotes; its own words name what is allowed, as in
 /// "no number, literal or $(VARIABLE)".
 std::vector<std::string> MacrosQuotedIn(const ConfigProblem& problem) {
   std::vector<std::string> macros;
@@ -108,7 +111,7 @@ std::vector<std::string> MacrosQuotedIn(const ConfigProblem& problem) {
 void SetMacrosAside(MissionProblems& found) {
   std::vector<ConfigProblem> undefined;
   const auto set_aside = [&undefined](const ConfigProblem& problem) {
-    if (problem.key.starts_with("$(")) return false;  // says so already
+    if (problem.key.starts_with("$(") || problem.key.starts_with("%(")) return false;  // said
     const std::vector<std::string> macros = MacrosQuotedIn(problem);
     for (const std::string& macro : macros)
       undefined.push_back({problem.where, macro, "undefined macro"});

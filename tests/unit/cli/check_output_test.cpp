@@ -140,6 +140,18 @@ TEST(CheckVerbOfFiles, SaysWhatElseIsWrongWithABehaviorWhoseNameIsAMacro) {
   EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:9: note: $(V): undefined macro"));
 }
 
+TEST(CheckVerbOfFiles, NotesAMacroInUpperCaseAsItDoesAnother) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "meta_vehicle.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_Waypoint\n{\n  name = %(VNAME)_x\n  points = 1,2\n"
+                        "  speed = %(SPEED)\n  capture_radius = %(RADIUS:=3)\n}\n";
+  const Checked checked = Check({bhv.string()});
+  EXPECT_EQ(checked.exit_code, kOk) << checked.text;
+  EXPECT_THAT(checked.text, HasSubstr("meta_vehicle.bhv:3: note: %(VNAME): undefined macro"));
+  EXPECT_THAT(checked.text, HasSubstr("meta_vehicle.bhv:5: note: %(SPEED): undefined macro"));
+  EXPECT_THAT(checked.text, Not(HasSubstr("RADIUS"))) << "its default counts";
+}
+
 TEST(CheckVerbOfFiles, TakesMacrosWithADefaultAsNsplugDoes) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "meta_vehicle.bhv";
