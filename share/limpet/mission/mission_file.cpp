@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limpet/core/config_entries.hpp"
+#include "limpet/core/problem_order.hpp"
 #include "limpet/mission/fact_files.hpp"
 #include "limpet/mission/mission_lines.hpp"
 #include "limpet/mission/mission_places.hpp"
@@ -47,6 +48,7 @@ class MissionParser {
       CloseBlock();
     }
     ParseLaunches();
+    SpreadUndefined();
     if (!problems_.empty()) {
       throw ConfigError(problems_);
     }
@@ -78,7 +80,7 @@ class MissionParser {
     if (line.text.empty() || SkipsNested(raw, line)) {
       return;
     }
-    line.text = variables_.Substitute(line, place_ == Place::kTop ? problems_ : block_.problems);
+    line.text = variables_.Substitute(line, place_ == Place::kTop ? undefined_ : block_.problems);
     switch (place_) {
       case Place::kTop:
         ParseTop(line, had_quotes);
@@ -242,6 +244,20 @@ class MissionParser {
     }
   }
 
+  /// Of a global's variable that nothing defines MOOS leaves the bare name: an error to those whose
+  /// blocks are read strictly, and to whoever reads a file that launches nothing.
+  void SpreadUndefined() {
+    if (mission_.launches.empty()) {
+      std::ranges::move(undefined_, std::back_inserter(problems_));
+      return;
+    }
+    for (ConfigBlock& block : mission_.blocks) {
+      if (StandInFor(ProgramOfBlock(block, mission_)) != nullptr) continue;
+      std::ranges::copy(undefined_, std::back_inserter(block.problems));
+    }
+    std::ranges::move(undefined_, std::back_inserter(mission_.warnings));
+  }
+
   void SpreadGlobals() {
     for (ConfigBlock& block : mission_.blocks)
       TakeGlobals(mission_.globals, OwnNameOf(ProgramOfBlock(block, mission_)), block);
@@ -279,6 +295,7 @@ class MissionParser {
   MissionFile mission_;
   MissionVariables variables_;
   std::vector<ConfigProblem> problems_;
+  std::vector<ConfigProblem> undefined_;  ///< variables of globals
   Place place_ = Place::kTop;
   int nested_ = 0;  ///< braces open inside a block, or outside of blocks
   SourceLine nested_since_;
@@ -351,10 +368,17 @@ std::vector<ConfigProblem> NotesOf(const MissionFile& mission,
                                    const std::function<bool(const std::string&)>& is_ours) {
   std::vector<ConfigProblem> notes = mission.warnings;
   for (const ConfigBlock& block : mission.blocks) {
-    if (is_ours(block.name) || block.problems.empty()) continue;
+    std::vector<ConfigProblem> own;  // not said of the mission already
+    std::ranges::copy_if(
+        block.problems, std::back_inserter(own), [&](const ConfigProblem& problem) {
+          return std::ranges::none_of(mission.warnings, [&problem](const ConfigProblem& warning) {
+            return OrderOf(warning) == OrderOf(problem);
+          });
+        });
+    if (is_ours(block.name) || own.empty()) continue;
     // Of a text that is no list of settings the first line says enough.
-    ConfigProblem first = block.problems.front();
-    if (const std::size_t more = block.problems.size() - 1; more > 0) {
+    ConfigProblem first = own.front();
+    if (const std::size_t more = own.size() - 1; more > 0) {
       first.text += fmt::format(" (and {} more of its lines)", more);
     }
     notes.push_back(std::move(first));

@@ -77,13 +77,14 @@ constexpr std::array kGlobals{GlobalRule{"ServerHost"},
                               GlobalRule{"GlobalLogPath"},
                               GlobalRule{"VehicleFile"}};
 
-void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule, MissionProblems& found) {
+void CheckGlobalValue(const ConfigEntry& global, const GlobalRule& rule,
+                      std::vector<ConfigProblem>& list) {
   if (rule.least == rule.most) return;
   const std::optional<double> value = ParseNumber(global.value);
   if (!value || !(*value >= rule.least && *value <= rule.most)) {
-    found.syntax.push_back({global.where, global.key,
-                            fmt::format("`{}` is not allowed; allowed: {:g} to {:g}", global.value,
-                                        rule.least, rule.most)});
+    list.push_back({global.where, global.key,
+                    fmt::format("`{}` is not allowed; allowed: {:g} to {:g}", global.value,
+                                rule.least, rule.most)});
   }
 }
 
@@ -224,16 +225,24 @@ void CheckGlobals(const MissionReading& reading, MissionProblems& found) {
   std::vector<std::string> known;
   std::ranges::transform(kGlobals, std::back_inserter(known), &GlobalRule::name);
   std::ranges::transform(SharedSettings(), std::back_inserter(known), &SharedSetting::global);
+  // MOOS takes any value, and a name that ours lack may be read by one of theirs.
+  const bool is_others = IsOthersAlone(reading.mission());
+  std::vector<ConfigProblem>& names = is_others ? found.notes : found.syntax;
   for (const ConfigEntry& global : reading.mission().globals) {
     const auto rule = std::ranges::find_if(kGlobals, [&global](const GlobalRule& r) {
       return EqualsIgnoringCase(r.name, global.key);
     });
     if (rule != kGlobals.end()) {
-      CheckGlobalValue(global, *rule, found);
+      const bool is_read = !std::string_view(rule->name).ends_with("Origin") || NeedsDatum(reading);
+      CheckGlobalValue(global, *rule,
+                       !is_others ? found.syntax
+                       : is_read  ? found.refused_here
+                                  : found.notes);
     } else if (const std::string meant = SlipOf(global.key, known);
                !meant.empty() && reading.mission().Global(meant).empty()) {
-      found.syntax.push_back({global.where, global.key,
-                              fmt::format("nothing reads this global; did you mean `{}`?", meant)});
+      names.push_back({global.where, global.key,
+                       fmt::format("nothing {}reads this global; did you mean `{}`?",
+                                   is_others ? "of Limpet's " : "", meant)});
     }
   }
   CheckMissingGlobals(reading, found);

@@ -65,6 +65,11 @@ MissionProblems Sorted(MissionProblems found) {
   Sort(found.geometry);
   Sort(found.notes);
   Sort(found.refused_here);
+  std::erase_if(found.notes, [&found](const ConfigProblem& note) {
+    return std::ranges::any_of(found.syntax, [&note](const ConfigProblem& problem) {
+      return OrderOf(problem) == OrderOf(note);
+    });
+  });
   return found;
 }
 

@@ -70,6 +70,8 @@ bool CheckVehicle(const MissionReading& reading, MissionProblems& found) {
   }
   if (named.empty() && needed_by.empty()) return true;
   CheckSensorsFor(reading, found);
+  auto& list =
+      IsOthersAlone(reading.mission()) ? found.notes : found.syntax;  // theirs says another
   try {
     static_cast<void>(LoadMissionVehicle(named, reading.folder()));
     return true;
@@ -79,7 +81,7 @@ bool CheckVehicle(const MissionReading& reading, MissionProblems& found) {
         problem.where = LineOfGlobal(reading.mission(), kVehicleFileGlobal);
       if (named.empty())
         problem.text = fmt::format("{} needs this global, which {}", needed_by, problem.text);
-      found.syntax.push_back(std::move(problem));
+      list.push_back(std::move(problem));
     }
     return false;
   }

@@ -110,6 +110,18 @@ TEST(MissionFile, NamesAnUndefinedVariable) {
               HasSubstr("m.moos:2: ${LIMPET_NO_SUCH}"));
 }
 
+TEST(MissionFile, LeavesTheBareNameOfAnUndefinedVariableToThoseWhoseBlockIsReadStrictly) {
+  const MissionFile mission = ReadMission(
+      "ServerHost = ${LIMPET_NO_SUCH}\nProcessConfig = ANTLER\n{\n  Run = pHelmIvP\n  Run = pX\n}\n"
+      "ProcessConfig = pHelmIvP\n{\n}\nProcessConfig = pX\n{\n}\n",
+      "m.moos", {});
+  EXPECT_EQ(mission.Global("ServerHost"), "LIMPET_NO_SUCH");
+  EXPECT_EQ(mission.Block("ANTLER")->problems.size(), 1U);
+  EXPECT_EQ(mission.Block("pX")->problems.size(), 1U);
+  EXPECT_TRUE(mission.Block("pHelmIvP")->problems.empty());
+  EXPECT_EQ(NotesOf(mission, [](const std::string&) { return false; }).size(), 1U) << "said once";
+}
+
 TEST(MissionFile, ReadsLinesOfAnyLengthAndCarriageReturns) {
   const std::string value(5000, 'x');
   const MissionFile mission = ParseMission("A = " + value + "\r\nB = 2\r\n", "m.moos");
