@@ -16,13 +16,14 @@
 namespace limpet {
 namespace {
 
+constexpr std::string_view kPrefix = "BHV_";
+
 bool IsDigit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
 
 /// `AvdColregs` of `BHV_AvdColregsV19`.
 std::string_view Stem(std::string_view name) {
-  constexpr std::string_view kBehavior = "BHV_";
-  if (EqualsIgnoringCase(name.substr(0, kBehavior.size()), kBehavior)) {
-    name.remove_prefix(kBehavior.size());
+  if (EqualsIgnoringCase(name.substr(0, kPrefix.size()), kPrefix)) {
+    name.remove_prefix(kPrefix.size());
   }
   std::string_view stem = name;
   while (!stem.empty() && IsDigit(stem.back()))
@@ -73,12 +74,40 @@ std::string NearestBehavior(std::string_view name) {
   return farness(nearest) <= kFarthest ? nearest : "";
 }
 
+/// A word of its own begins so: `X`, `V2`, `_deep`.
+bool BeginsWord(std::string_view text) {
+  return !text.empty() && (text[0] == '_' || IsDigit(text[0]) ||
+                           std::isupper(static_cast<unsigned char>(text[0])) != 0);
+}
+
 }  // namespace
+
+std::string MisnamedBehavior(std::string_view name) {
+  for (const auto& [known, entry] : BehaviorRegistry()) {
+    if (name == known) return "";
+    const std::string_view bare =
+        std::string_view(known).substr(std::min(kPrefix.size(), known.size()));
+    if (EqualsIgnoringCase(name, known) || EqualsIgnoringCase(name, bare)) return known;
+  }
+  return "";
+}
+
+bool IsVariantOfBehavior(std::string_view name, std::string_view known) {
+  if (!name.starts_with(kPrefix) || !known.starts_with(kPrefix) || name == known) return false;
+  if (Stem(name) == Stem(known)) return true;
+  name.remove_prefix(kPrefix.size());
+  known.remove_prefix(kPrefix.size());
+  if (name.starts_with(known)) return BeginsWord(name.substr(known.size()));
+  return name.ends_with(known) && BeginsWord(name);
+}
 
 std::string NearestBehaviorText(std::string_view name) {
   constexpr std::string_view kAltitude = "BHV_MinAltitudeX";
   if (name == "BHV_MinAltitude" && BehaviorRegistry().contains(std::string(kAltitude))) {
     return fmt::format("it is called `{}`", kAltitude);
+  }
+  if (const std::string meant = MisnamedBehavior(name); !meant.empty()) {
+    return fmt::format("it is called `{}`: case counts, and so does `{}`", meant, kPrefix);
   }
   // A short form of a word that is written out here.
   if (EqualsIgnoringCase(Stem(name), "AvdColregs")) name = "BHV_AvoidCollision";

@@ -21,6 +21,12 @@ void CheckMacros(const MissionReading& reading, MissionProblems& found);
 void CheckLaunches(const MissionReading& reading, MissionProblems& found);
 void CheckBlocks(const MissionReading& reading, MissionProblems& found);
 void CheckBehaviors(const MissionReading& reading, MissionProblems& found);
+/// Who reads a behavior file: a mission of ours, or of other people's; nobody says whose it is.
+enum class BehaviorReader { kOurs, kOthers, kUnknown };
+/// Sorts the behaviors of a file into ours, which stay, and others', which are noted. A slip of the
+/// pen is a problem unless others read the file, or nobody says who does and it may be a variant; a
+/// name that no helm takes always is.
+void SetStrangersAside(BehaviorFile& file, BehaviorReader reader, MissionProblems& found);
 /// Of a helm that leads another one: that there is one, and that its behaviors take what it is
 /// told.
 void CheckLead(const MissionReading& reading, MissionProblems& found);

@@ -174,7 +174,9 @@ const std::vector<std::string>& StockBehaviors() {
       "BHV_PModelView",    "BHV_RStationKeep",    "BHV_HeadingHysteresis",
       "BHV_PeriodicSpeed", "BHV_MaintainHeading", "BHV_RangePulse",
       "BHV_Shadow",        "BHV_SimpleWaypoint",  "BHV_TimeOut",
-      "BHV_Trail",         "BHV_ZigLeg"};
+      "BHV_Trail",         "BHV_ZigLeg",          "BHV_OpRegionV26",
+      "BHV_FixTurn",       "BHV_RubberBand",      "BHV_AvdColregsV17",
+      "BHV_AvdColregsV19", "BHV_AvdColregsV22",   "BHV_AvdColregsV26"};
   return names;
 }
 

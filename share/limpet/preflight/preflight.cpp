@@ -11,8 +11,6 @@
 #include "limpet/core/problem_order.hpp"
 #include "limpet/helm/behavior_host.hpp"
 #include "limpet/helm/behavior_modules.hpp"
-#include "limpet/helm/behavior_names.hpp"
-#include "limpet/helm/registry.hpp"
 #include "limpet/mission/plug.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/source_text.hpp"
@@ -269,28 +267,12 @@ bool IsOfOthers(const std::vector<MissionFile>& missions) {
          });
 }
 
-/// Sorts the behaviors of a file into ours, which stay, and others', which are noted; a slip of the
-/// pen is a problem, unless the file `is_others`.
-void SetStrangersAside(BehaviorFile& file, bool is_others, MissionProblems& found) {
-  std::vector<std::string> known;
-  std::ranges::transform(BehaviorRegistry(), std::back_inserter(known),
-                         [](const auto& registered) { return registered.first; });
-  std::erase_if(file.behaviors, [&](const ConfigBlock& block) {
-    if (BehaviorRegistry().contains(block.name)) return false;
-    const bool is_stock = std::ranges::find(internal::StockBehaviors(), block.name) !=
-                          internal::StockBehaviors().end();
-    const std::string meant = is_stock ? "" : internal::SlipOf(block.name, known);
-    const std::string nearest =
-        NearestBehaviorText(block.name) + "; `limpet describe` lists those there are";
-    if (meant.empty() || is_others) {
-      found.notes.push_back({block.where, block.name,
-                             fmt::format("is no behavior of Limpet's: not checked; {}", nearest)});
-    } else {
-      found.syntax.push_back(
-          {block.where, "Behavior", fmt::format("no behavior `{}`; {}", block.name, nearest)});
-    }
-    return true;
-  });
+/// Who a behavior file is for, by the missions beside it.
+internal::BehaviorReader ReaderAmong(const std::vector<MissionFile>& missions) {
+  if (IsOfOthers(missions)) return internal::BehaviorReader::kOthers;
+  const bool has_one = std::ranges::any_of(
+      missions, [](const MissionFile& mission) { return !mission.launches.empty(); });
+  return has_one ? internal::BehaviorReader::kOurs : internal::BehaviorReader::kUnknown;
 }
 
 }  // namespace
@@ -339,7 +321,7 @@ MissionProblems CheckBehaviorFile(const fs::path& file) {
     if (behaviors.behaviors.empty() && behaviors.modes.empty() && behaviors.initializes.empty()) {
       found.syntax.push_back({{.file = file.string(), .line = 0}, "", "has no behavior"});
     }
-    SetStrangersAside(behaviors, IsOfOthers(missions), found);
+    internal::SetStrangersAside(behaviors, ReaderAmong(missions), found);
     const BehaviorHost host({behaviors});
     Join(host.IgnoredLines(), found.notes);
   } catch (const ConfigError& error) {

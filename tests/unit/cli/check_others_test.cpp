@@ -144,7 +144,9 @@ TEST(CheckOfOthers, NotesStockBehaviorsAndRefusesSlips) {
     std::ofstream(bhv) << "Behavior = " << behavior << "\n{\n  name = a\n}\n";
     return Check({bhv.string()});
   };
-  for (const char* stock : {"BHV_RStationKeep", "BHV_ZigLeg", "BHV_AvoidObstacles", "BHV_Agent"}) {
+  for (const char* stock :
+       {"BHV_RStationKeep", "BHV_ZigLeg", "BHV_AvoidObstacles", "BHV_Agent", "BHV_OpRegionV26",
+        "BHV_GoToDepthX", "BHV_StationKeepV2", "BHV_MyLoiter"}) {
     EXPECT_EQ(check(stock).exit_code, kOk) << stock;
   }
   const Checked slip = check("BHV_StationKep");
@@ -170,11 +172,23 @@ TEST(CheckOfOthers, NamesTheNearestOfAnUnknownBehaviorIfThereIsANearOne) {
   EXPECT_THAT(check("BHV_MinAltitude"), HasSubstr("it is called `BHV_MinAltitudeX`"));
 }
 
+TEST(CheckOfOthers, RefusesANameInLettersThatNoHelmTakesAndSaysTheRightOne) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  for (const char* name : {"BHV_waypoint", "BHV_WayPoint", "bhv_Waypoint", "Waypoint"}) {
+    std::ofstream(bhv) << "Behavior = " << name << "\n{\n  name = a\n}\n";
+    const Checked checked = Check({bhv.string()});
+    EXPECT_EQ(checked.exit_code, kUsage) << checked.text;
+    EXPECT_THAT(checked.text, HasSubstr("a.bhv:1: Behavior: no behavior `" + std::string(name) +
+                                        "`; it is called `BHV_Waypoint`: case counts"));
+  }
+}
+
 TEST(CheckOfOthers, NotesABehaviorBesideAMissionOfOtherPeopleThatIsNearOneOfOurs) {
   const TemporaryFolder folder;
   const fs::path bhv = folder.path() / "a.bhv";
   std::ofstream(bhv) << "Behavior = BHV_WaypointX\n{\n  name = a\n}\n";
-  EXPECT_EQ(Check({bhv.string()}).exit_code, kUsage) << "nobody says whose it is";
+  EXPECT_EQ(Check({bhv.string()}).exit_code, kOk) << "nobody says whose it is: it may be a variant";
   const auto mission_of = [&folder](const std::string& database) {
     std::ofstream(folder.path() / "a.moos")
         << "ServerPort = 9000\nCommunity = alpha\nProcessConfig = ANTLER\n{\n  Run = " << database
