@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "limpet/helm/behavior_host.hpp"
+#include "limpet/helm/behavior_names.hpp"
 #include "limpet/helm/generator_registry.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/preflight/checks.hpp"
@@ -55,6 +56,21 @@ void NoteRepeats(const LaunchedApp& app, MissionProblems& found) {
       former = &entry;
     }
   }
+}
+
+/// What the stock helm refuses as ours does: a key that a behavior of that name does not have, and
+/// a name in other letters. A key that is a macro is not one yet.
+bool IsRefusedByAnyHelm(const ConfigProblem& problem, const std::vector<BehaviorFile>& files) {
+  if (problem.text.starts_with("unknown key in ")) {
+    return problem.key.find("$(") == std::string::npos &&
+           problem.key.find("%(") == std::string::npos;
+  }
+  return std::ranges::any_of(files, [&problem](const BehaviorFile& file) {
+    return std::ranges::any_of(file.behaviors, [&problem](const ConfigBlock& block) {
+      return problem.key == "Behavior" && block.where.file == problem.where.file &&
+             block.where.line == problem.where.line && !MisnamedBehavior(block.name).empty();
+    });
+  });
 }
 
 }  // namespace
@@ -104,7 +120,10 @@ void CheckBehaviors(const MissionReading& reading, MissionProblems& found) {
     const BehaviorHost host(reading.behavior_files());
     Append(host.IgnoredLines(), found.notes);
   } catch (const ConfigError& error) {
-    Append(error.problems(), list);
+    for (const ConfigProblem& problem : error.problems()) {
+      const bool is_refused = IsRefusedByAnyHelm(problem, reading.behavior_files());
+      (is_refused ? found.syntax : list).push_back(problem);
+    }
   }
 }
 
