@@ -250,6 +250,13 @@ int CheckMission(const Arguments& given) {
   if (!std::filesystem::exists(path)) {
     throw UsageError(fmt::format("{}: there is no such file or folder", OneLine(path)));
   }
+  const std::filesystem::path file = MissionFileAt(path);
+  if (std::filesystem::exists(file) && !std::filesystem::is_directory(file) &&
+      !std::filesystem::is_regular_file(file)) {
+    throw UsageError(fmt::format(
+        "{}: is no plain file, but a pipe or a device: it is not read; a copy of it can be checked",
+        OneLine(file.string())));
+  }
   const CheckedMission checked{.path = path, .change = ChangeOf(given)};
   const MissionProblems found =
       checked.change ? CheckMissionFile(ChangedMissionAt(path), checked.change) : CheckPath(path);

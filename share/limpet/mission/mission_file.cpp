@@ -174,6 +174,7 @@ class MissionParser {
     const bool has_brace = name.ends_with('{');
     if (has_brace) {
       name = Trim(name.substr(0, name.size() - 1));
+      WarnOf(where, std::string(name), "MOOS overlooks a block whose `{` stands on this line");
     }
     block_ = {.name = std::string(name), .where = where, .entries = {}};
     std::erase_if(block_.name, [](char letter) { return letter == ' ' || letter == '\t'; });
@@ -325,6 +326,7 @@ PlugOptions MissionPlugOptions(const std::filesystem::path& file) {
 std::vector<TextLine> ConfigLines(std::string_view text, const std::filesystem::path& file,
                                   const PlugOptions& options,
                                   std::vector<ConfigProblem>& warnings) {
+  if (auto note = PassByteOrderMark(text, file.string())) warnings.push_back(*std::move(note));
   if (options.macros.empty() && !HasPlugDirective(text)) {
     return SplitLines(text, file.string());
   }

@@ -39,6 +39,16 @@ KeyValue SplitKeyValue(std::string_view line) {
           .has_equals = true};
 }
 
+std::optional<ConfigProblem> PassByteOrderMark(std::string_view& text, const std::string& file) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (!text.starts_with(kMark)) return std::nullopt;
+  text.remove_prefix(kMark.size());
+  return ConfigProblem{{file, 1},
+                       "",
+                       "begins with a byte order mark, which is passed over; to MOOS it is part of "
+                       "this line"};
+}
+
 bool IsBlockHeader(std::string_view key) {
   std::string bare(key);
   std::erase_if(bare, [](char letter) { return letter == ' ' || letter == '\t'; });

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,10 @@ struct KeyValue {
   bool has_equals = false;
 };
 [[nodiscard]] KeyValue SplitKeyValue(std::string_view line);
+
+/// Takes a byte order mark off the text of a file; what there is to note of it.
+[[nodiscard]] std::optional<ConfigProblem> PassByteOrderMark(std::string_view& text,
+                                                             const std::string& file);
 
 /// True for the key of a line that begins a block: MOOS ignores case and white space in it.
 [[nodiscard]] bool IsBlockHeader(std::string_view key);

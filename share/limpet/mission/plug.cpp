@@ -347,7 +347,8 @@ std::vector<fs::path> PlugFoldersAround(const fs::path& file) {
   std::vector<fs::path> folders;
   folders.reserve(absolute.size());
   for (const fs::path& folder : absolute) {
-    folders.push_back(fs::proximate(folder, ignored));
+    const fs::path near = fs::proximate(folder, ignored);
+    folders.push_back(near.string().starts_with("../../..") ? folder : near);  // as it is read best
   }
   return folders;
 }

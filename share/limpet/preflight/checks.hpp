@@ -2,6 +2,7 @@
 // The parts of a preflight, for this library only. Each adds what it finds.
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "limpet/preflight/mission_reading.hpp"
@@ -9,6 +10,10 @@
 #include "limpet/preflight/survey_facts.hpp"
 
 namespace limpet::internal {
+
+/// Throws ConfigError for what is there and no plain file, before it is opened: nobody may ever
+/// write to a named pipe.
+void RequirePlainFile(const std::filesystem::path& file);
 
 // Syntax.
 void CheckBlockNames(const MissionReading& reading, MissionProblems& found);

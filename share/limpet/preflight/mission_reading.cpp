@@ -16,6 +16,7 @@
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/stand_ins.hpp"
+#include "limpet/preflight/checks.hpp"
 
 namespace limpet {
 namespace {
@@ -72,6 +73,13 @@ std::vector<Setting> SettingsIn(const ConfigBlock& block, const std::string& own
 }
 
 }  // namespace
+
+void internal::RequirePlainFile(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) {
+    throw ConfigError({{file.string(), 0}, "", "is no plain file: it is not read"});
+  }
+}
 
 double Setting::number() const { return ParseNumber(text).value_or(0.0); }
 
@@ -138,6 +146,7 @@ void MissionReading::LoadBehaviorFiles() {
         throw ConfigError(name.Refuse(fmt::format(
             "`{}` cannot be read; it is looked for beside the mission file", name.text)));
       }
+      internal::RequirePlainFile(folder_ / name.text);
       behavior_files_.push_back(LoadBehaviors(folder_ / name.text));
       TakeGlobals(mission_.globals, behavior_files_.back().behaviors);
     });

@@ -175,7 +175,8 @@ std::vector<MissionFile> MissionsBeside(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::vector<fs::path> paths;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".moos") paths.push_back(entry.path());
+    if (entry.path().extension() == ".moos" && entry.is_regular_file())
+      paths.push_back(entry.path());
   }
   std::ranges::sort(paths);
   std::vector<MissionFile> missions;
@@ -293,6 +294,7 @@ MissionProblems CheckLoadedMission(const MissionFile& mission, const fs::path& f
 
 MissionProblems CheckMissionFile(const fs::path& file, const MissionChange& change) {
   try {
+    internal::RequirePlainFile(file);
     PartOfMission part = LoadWithoutMissingIncludes(file);
     if (change) change(part.mission);
     MissionProblems found = CheckLoadedMission(part.mission, file.parent_path());
@@ -311,6 +313,7 @@ MissionProblems CheckMissionFile(const fs::path& file, const MissionChange& chan
 MissionProblems CheckBehaviorFile(const fs::path& file) {
   MissionProblems found;
   try {
+    internal::RequirePlainFile(file);
     const std::vector<MissionFile> missions = MissionsBeside(file);
     const MissionFile* mission = ReaderOf(file, missions);
     LoadBehaviorModules(mission == nullptr ? std::vector<ConfigEntry>{} : BehaviorPathsOf(*mission),

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/check.hpp"
@@ -138,6 +139,34 @@ TEST(CheckVerbOfFiles, SaysWhatElseIsWrongWithABehaviorWhoseNameIsAMacro) {
   EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:4: speeed: unknown key in BHV_Loiter"));
   EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:5: polygon: "));
   EXPECT_THAT(checked.text, HasSubstr("a_vehicle.bhv:9: note: $(V): undefined macro"));
+}
+
+TEST(CheckVerbOfFiles, RefusesANamedPipeInsteadOfWaitingForIt) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "mission.moos";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const fs::path& named : {pipe, folder.path()}) {
+    try {
+      static_cast<void>(Check({named.string()}));
+      FAIL() << "must not be read";
+    } catch (const UsageError& error) {
+      static_cast<void>(::testing::internal::GetCapturedStdout());
+      EXPECT_THAT(error.what(), HasSubstr("mission.moos: is no plain file"));
+    }
+  }
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "Behavior = BHV_Timer\n{\n  name = t\n}\n";
+  EXPECT_EQ(Check({bhv.string()}).exit_code, kOk) << "the pipe beside it is passed over";
+}
+
+TEST(CheckVerbOfFiles, PassesOverAByteOrderMarkWithANote) {
+  const TemporaryFolder folder;
+  const fs::path bhv = folder.path() / "a.bhv";
+  std::ofstream(bhv) << "\xEF\xBB\xBF"
+                        "Behavior = BHV_Timer\n{\n  name = t\n}\n";
+  const Checked checked = Check({bhv.string()});
+  EXPECT_EQ(checked.exit_code, kOk) << checked.text;
+  EXPECT_THAT(checked.text, HasSubstr("a.bhv:1: note: begins with a byte order mark"));
 }
 
 TEST(CheckVerbOfFiles, NotesAMacroInUpperCaseAsItDoesAnother) {

@@ -48,7 +48,11 @@ TEST(MissionFile, KeepsBlocksInFileOrderWithTheirLines) {
 }
 
 TEST(MissionFile, AcceptsABraceOnTheHeaderLine) {
-  EXPECT_NE(ParseMission("processconfig=pA {\nx=1\n}\n", "m.moos").Block("pA"), nullptr);
+  const MissionFile mission = ParseMission("processconfig=pA {\nx=1\n}\n", "m.moos");
+  EXPECT_NE(mission.Block("pA"), nullptr);
+  ASSERT_EQ(mission.warnings.size(), 1U);
+  EXPECT_EQ(mission.warnings[0].Format(),
+            "m.moos:1: pA: MOOS overlooks a block whose `{` stands on this line");
 }
 
 TEST(MissionFile, FindsABlockWhateverWhiteSpaceItsHeaderHas) {
