@@ -16,14 +16,14 @@
 namespace limpet {
 namespace {
 
-constexpr std::string_view kPrefix = "BHV_";
+constexpr std::string_view kBehaviorPrefix = "BHV_";
 
 bool IsDigit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
 
 /// `AvdColregs` of `BHV_AvdColregsV19`.
 std::string_view Stem(std::string_view name) {
-  if (EqualsIgnoringCase(name.substr(0, kPrefix.size()), kPrefix)) {
-    name.remove_prefix(kPrefix.size());
+  if (EqualsIgnoringCase(name.substr(0, kBehaviorPrefix.size()), kBehaviorPrefix)) {
+    name.remove_prefix(kBehaviorPrefix.size());
   }
   std::string_view stem = name;
   while (!stem.empty() && IsDigit(stem.back()))
@@ -86,17 +86,18 @@ std::string MisnamedBehavior(std::string_view name) {
   for (const auto& [known, entry] : BehaviorRegistry()) {
     if (name == known) return "";
     const std::string_view bare =
-        std::string_view(known).substr(std::min(kPrefix.size(), known.size()));
+        std::string_view(known).substr(std::min(kBehaviorPrefix.size(), known.size()));
     if (EqualsIgnoringCase(name, known) || EqualsIgnoringCase(name, bare)) return known;
   }
   return "";
 }
 
 bool IsVariantOfBehavior(std::string_view name, std::string_view known) {
-  if (!name.starts_with(kPrefix) || !known.starts_with(kPrefix) || name == known) return false;
+  if (!name.starts_with(kBehaviorPrefix) || !known.starts_with(kBehaviorPrefix) || name == known)
+    return false;
   if (Stem(name) == Stem(known)) return true;
-  name.remove_prefix(kPrefix.size());
-  known.remove_prefix(kPrefix.size());
+  name.remove_prefix(kBehaviorPrefix.size());
+  known.remove_prefix(kBehaviorPrefix.size());
   if (name.starts_with(known)) return BeginsWord(name.substr(known.size()));
   return name.ends_with(known) && BeginsWord(name);
 }
@@ -107,7 +108,7 @@ std::string NearestBehaviorText(std::string_view name) {
     return fmt::format("it is called `{}`", kAltitude);
   }
   if (const std::string meant = MisnamedBehavior(name); !meant.empty()) {
-    return fmt::format("it is called `{}`: case counts, and so does `{}`", meant, kPrefix);
+    return fmt::format("it is called `{}`: case counts, and so does `{}`", meant, kBehaviorPrefix);
   }
   // A short form of a word that is written out here.
   if (EqualsIgnoringCase(Stem(name), "AvdColregs")) name = "BHV_AvoidCollision";
