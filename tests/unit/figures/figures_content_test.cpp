@@ -15,6 +15,7 @@
 #include "limpet/figures/figures.hpp"
 #include "limpet/figures/map_axes.hpp"
 #include "limpet/figures/map_symbols.hpp"
+#include "limpet/objects/status_posterior.hpp"
 #include "tests/support/synthetic_session.hpp"
 #include "tests/unit/figures/svg_reader.hpp"
 
@@ -221,8 +222,8 @@ TEST(Figures, OfASessionWithoutASurveyShowWhatThereIs) {
 
 TEST(MapSymbols, TellStatusesApartByShapeToo) {
   std::set<std::string> shapes;
-  for (const char* status :
-       {"confirmed", "removed", "new", "moved", "uncertain", "not_inspected"}) {
+  for (const Status status : {Status::kConfirmed, Status::kRemoved, Status::kNew, Status::kMoved,
+                              Status::kUncertain, Status::kNotInspected}) {
     SvgCanvas canvas(40.0, 40.0, "one symbol");
     DrawStatus(canvas, {20.0, 20.0}, status);
     std::string shape;
@@ -230,7 +231,7 @@ TEST(MapSymbols, TellStatusesApartByShapeToo) {
       const auto d = element.attributes.find("d");
       shape += element.name + (d == element.attributes.end() ? "" : d->second);
     }
-    EXPECT_TRUE(shapes.insert(shape).second) << status << " looks like another one";
+    EXPECT_TRUE(shapes.insert(shape).second) << NameOf(status) << " looks like another one";
   }
 }
 
