@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -254,7 +255,10 @@ class MissionParser {
     }
     for (ConfigBlock& block : mission_.blocks) {
       if (StandInFor(ProgramOfBlock(block, mission_)) != nullptr) continue;
-      std::ranges::copy(undefined_, std::back_inserter(block.problems));
+      // One refuses an app; all of them in each block would be the square of a file.
+      const std::size_t most = EqualsIgnoringCase(block.name, "ANTLER") ? undefined_.size() : 1;
+      std::ranges::copy(std::span(undefined_).first(std::min(undefined_.size(), most)),
+                        std::back_inserter(block.problems));
     }
     std::ranges::move(undefined_, std::back_inserter(mission_.warnings));
   }
