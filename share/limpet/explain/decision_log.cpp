@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 namespace limpet {
 namespace {
@@ -57,7 +56,7 @@ std::optional<LoggedMotion> DecisionLog::MotionAt(double time) const {
   const LoggedMotion* motion = LastUntil(time, motions_);
   if (motion == nullptr) return std::nullopt;
   // What it said last may be of before a stop that is over.
-  const auto over = std::ranges::find_if(std::views::reverse(stops()), [&](const HelmStop& stop) {
+  const auto over = std::find_if(stops().rbegin(), stops().rend(), [&](const HelmStop& stop) {
     return stop.end && *stop.end <= time;
   });
   const bool is_stale = over != stops().rend() && motion->time < *over->end - kIteration;

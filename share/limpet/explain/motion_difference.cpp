@@ -58,8 +58,8 @@ std::string WishesOnlyIn(const Wishes& some, const Wishes& others, const char* e
   std::set<std::string> told;
   for (const auto& [behavior, variables] : some) {
     if (others.contains({behavior, variables})) continue;
-    const bool is_there =
-        std::ranges::any_of(others, [&](const auto& other) { return other.first == behavior; });
+    const bool is_there = std::ranges::any_of(
+        others, [&name = behavior](const auto& other) { return other.first == name; });
     if (is_there) {
       Join(fmt::format("{} bids on {}{}", behavior, variables, ending), text);
     } else if (told.insert(behavior).second) {
