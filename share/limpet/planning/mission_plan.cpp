@@ -18,8 +18,9 @@ namespace {
 /// A plan that lacks so much more useful track than when it was sought is sought anew [m].
 constexpr double kStaleTrack = 3.0;
 /// One that lacked more than that from the first may find another way by now: not at each decision,
-/// for seeking anew takes ten times as long, but after so much way [m].
-constexpr double kSeekAgain = 50.0;
+/// for seeking anew takes ten times as long, and the longer the plan the longer, but after a way of
+/// this share of it.
+constexpr double kSeekAgain = 0.1;
 /// Share by which the swath may change before a plan is sought anew.
 constexpr double kOtherSwath = 0.03;
 /// A plan whose looks are worth so much less of what they might be than the last one's is sought
@@ -248,7 +249,8 @@ std::vector<SurveyTour> MissionPlan::Seeds(TourJudge& judge) const {
 
 bool MissionPlan::IsStale(double lacking) const {
   if (lacking <= kStaleTrack) return false;
-  return lacking > lacking_when_sought_ + kStaleTrack || now_.travelled - sought_at_ > kSeekAgain;
+  return lacking > lacking_when_sought_ + kStaleTrack ||
+         now_.travelled - sought_at_ > kSeekAgain * FromHere(plan_).path.length();
 }
 
 /// Whether the water shows so much more or less than it was planned for: lanes would lie otherwise.
