@@ -2,6 +2,7 @@
 #include "limpet/planning/mission_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 
@@ -95,6 +96,32 @@ TEST(MissionPlan, LanesAreCutShorterWhereTheRegionHasBecomeNarrower) {
   ASSERT_FALSE(after.empty());
   EXPECT_TRUE(survey.region.Contains(after[0].path));
   EXPECT_GT(survey.TopAfter(after[0].path), 0.9);
+}
+
+/// Seeking anew takes ten times as long as going on, and finds no way to ground that a zone keeps
+/// out of sight: it waits until a tenth of the plan has been flown.
+TEST(MissionPlan, IsNotSoughtAnewAtOnceForGroundThatNoTourSees) {
+  SurveyArea fenced = scene::kArea;
+  fenced.keep_out = "{-6,-8:6,-8:6,8:-6,8}";
+  BegunSurvey survey;
+  survey.region = Region(fenced);  // the ground in it is to be seen all the same
+  MissionPlan plan({.first_edits = 400, .edits = 0}, Random(7));
+  const Option before = OffersAt(plan, survey.At(scene::kStart)).at(0);
+  ASSERT_GT(before.lacking_m, 5.0);
+  plan.OnChoice(before);
+  const auto longer_after = [&](double share) {
+    const double way = share * before.path.length();
+    BegunSurvey later;
+    later.region = survey.region;
+    scene::Fly(later.grid, before.path.Prefix(way));
+    later.ground = Ground(later.grid, scene::TableFootprint());
+    MissionPlan same = plan;
+    MissionPlan::Task now = later.At(before.path.At(way), way);
+    now.goal.home_W = {scene::kStart.north, scene::kStart.east};
+    return OffersAt(same, now).at(0).path.length() - (before.path.length() - way);
+  };
+  EXPECT_NEAR(longer_after(0.05), 0.0, 1e-6);
+  EXPECT_GT(std::abs(longer_after(0.15)), 0.01) << "another one was found";
 }
 
 /// Once the sessions' maps are joined, former objects lie elsewhere: no longer where the plan was
