@@ -3,22 +3,18 @@
 
 #include <algorithm>
 
+#include "limpet/core/record.hpp"
 #include "limpet/topics/viewer.hpp"
 
 namespace limpet {
 namespace {
 
-/// The value of `key=value` in a list with commas; empty if it is not there.
-std::string_view ValueOf(std::string_view key, std::string_view list) {
-  while (!list.empty()) {
-    std::string_view part = list.substr(0, list.find(','));
-    list.remove_prefix(std::min(list.size(), part.size() + 1));
-    part.remove_prefix(std::min(part.size(), part.find_first_not_of(' ')));
-    if (part.starts_with(key) && part.substr(key.size()).starts_with('=')) {
-      return part.substr(key.size() + 1);
-    }
-  }
-  return {};
+/// A field of text `name=value,...`; empty if it is not there.
+std::string FieldOf(const char* name, std::string_view text) {
+  std::string field;
+  RecordReader fields(text);
+  fields(name, field);
+  return field;
 }
 
 /// `1` for `1.00000`.
@@ -32,15 +28,15 @@ void HelmEvents::Add(HelmEvent::Kind kind, std::string_view who, std::string wha
 }
 
 void HelmEvents::TakeLife(std::string_view value) {
-  const std::string_view event = ValueOf("event", value);
-  const std::string_view why = ValueOf("post_mortem", value);
+  const std::string event = FieldOf("event", value);
+  const std::string why = FieldOf("post_mortem", value);
   const std::string_view what = event == "spawn"   ? "began"
                                 : event == "death" ? "ended"
                                 : event == "abort" ? "could not begin"
                                                    : "";
   if (what.empty()) return;
-  Add(HelmEvent::Kind::kLife, ValueOf("bname", value),
-      std::string(what) + (why.empty() ? "" : ": " + std::string(why)));
+  Add(HelmEvent::Kind::kLife, FieldOf("bname", value),
+      std::string(what) + (why.empty() ? "" : ": " + why));
 }
 
 void HelmEvents::Take(const LoggedWord& word, double time) {
@@ -53,7 +49,7 @@ void HelmEvents::Take(const LoggedWord& word, double time) {
     Add(HelmEvent::Kind::kWaypoint, word.writer,
         "on to waypoint " + std::string(WholePart(word.value)));
   } else if (word.variable == "WPT_STAT" && word.value.ends_with(",completed")) {
-    Add(HelmEvent::Kind::kLife, ValueOf("behavior-name", word.value), "completed");
+    Add(HelmEvent::Kind::kLife, FieldOf("behavior-name", word.value), "completed");
   }
 }
 
