@@ -256,7 +256,7 @@ std::vector<Pose> MappedDive(const SurveyFrames& frames, const Scenario& scenari
   return mapped;
 }
 
-/// The curve, and with the dive what it ends with.
+/// The curve, which begins with what the dive has shown, and what it ends with.
 void ScoreSamples(const SurveyFrames& frames, const SurveyArea& area, const Scenario& scenario,
                   const ReportSettings& settings, CoverageScore& score) {
   SampleBands bands(area, scenario, settings);
@@ -271,21 +271,20 @@ void ScoreSamples(const SurveyFrames& frames, const SurveyArea& area, const Scen
     so_far.detected += now.detected;
   };
   while (bands.Next()) {
-    for (std::size_t i = 0; i < frames.X_WB.size(); ++i)
-      see(frames.X_WB[i], seen[i]);
     for (const Pose& X_WB : dive)
       see(X_WB, by_dive);
+    for (std::size_t i = 0; i < frames.X_WB.size(); ++i)
+      see(frames.X_WB[i], seen[i]);
     bands.CountUnseen(counter);
   }
   const double points = std::max(1.0, bands.seabed_wanted());
   const double objects = std::max(1.0, bands.objects_wanted());
-  double covered = 0.0, detected = 0.0;
+  double covered = by_dive.covered, detected = by_dive.detected;
   for (const NewlySeenSamples& by_frame : seen) {
     covered += by_frame.covered, detected += by_frame.detected;
     score.curve.seabed.push_back(covered / points);
     score.curve.band.push_back(detected / objects);
   }
-  covered += by_dive.covered, detected += by_dive.detected;
   score.covered = covered / points;
   score.detected_band = detected / objects;
   score.unseen = UnseenOf(bands, covered, detected, counter);

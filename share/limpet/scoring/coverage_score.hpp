@@ -11,20 +11,20 @@
 
 namespace limpet {
 
-/// When a share was first reached; nothing if never. Both count from the start of the survey.
+/// When a share was first reached; nothing if never. Both count from the start of the survey: what
+/// the dive has shown counts, at no way and no time.
 struct CoverageLevel {
   double level = 0.0;
   std::optional<double> path_m, time_s;
 };
 
-/// Shares after each camera frame, from the start of the survey.
+/// Shares after each camera frame, from the start of the survey, and by the dive before it.
 struct CoverageCurve {
   std::vector<double> path_m, time_s, seabed, band;
 };
 
-/// What the camera has truly shown, from the true poses alone. What the dive has shown from where
-/// the vehicle maps counts at the end; levels and curve are of the survey's own way, as reckoned
-/// lanes are.
+/// What the camera has truly shown, from the true poses alone: on the dive, from where the vehicle
+/// maps, and from there on.
 struct CoverageScore {
   std::vector<CoverageLevel> seabed;  ///< 0.90, 0.95, 0.99
   std::vector<CoverageLevel> band;    ///< 0.90, 0.95, 0.99

@@ -22,22 +22,22 @@ constexpr std::size_t kScored = 6;
 /// Planners count less at the band's top than scorers do: lanes just wide enough lack this much.
 constexpr double kPlannedShare = 0.93;
 
-/// A survey along lanes: where it starts, how fast it is, where it goes home.
+/// A survey along lanes, from where and as fast as the one that they are reckoned beside.
 struct LaneSurvey {
   const SurveyArea& area;
   const Region& region;
   Meters turn_radius;
-  Pose2 start;
   PlanePoint home;
-  double speed;
+  const SurveyBesideLanes& beside;
 };
 
 /// What leads into the region, for a survey that begins outside it.
 DubinsPath WayIn(const LaneSurvey& survey) {
-  if (survey.region.Outside(survey.start) <= 0.0) return DubinsPath(survey.start);
-  const PlanePoint begin(survey.start.north, survey.start.east);
-  const auto transit = TransitPath(survey.start, begin, survey.region, survey.turn_radius);
-  return transit ? transit->path : DubinsPath(survey.start);
+  const Pose2& start = survey.beside.start;
+  if (survey.region.Outside(start) <= 0.0) return DubinsPath(start);
+  const PlanePoint begin(start.north, start.east);
+  const auto transit = TransitPath(start, begin, survey.region, survey.turn_radius);
+  return transit ? transit->path : DubinsPath(start);
 }
 
 std::vector<FlownTour> BestLanes(const LaneSurvey& survey, const ReportSettings& settings) {
@@ -61,15 +61,17 @@ std::vector<FlownTour> BestLanes(const LaneSurvey& survey, const ReportSettings&
   return flown;
 }
 
-/// A level camera's frames along the path, as many to the metre as the survey's camera had.
-SurveyFrames FramesAlong(const DubinsPath& path, double speed, const Scenario& scenario,
-                         const ReportSettings& settings) {
+/// A level camera's frames along the path, as many to the metre as the survey's camera had, behind
+/// those of the dive that it had.
+SurveyFrames FramesAlong(const DubinsPath& path, const SurveyBesideLanes& beside,
+                         const Scenario& scenario, const ReportSettings& settings) {
   SurveyFrames frames;
+  frames.dive_X_WB = beside.dive_X_WB;
   const Seabed seabed(scenario.seabed);
-  path.Sample(speed / settings.frame_rate_hz, [&](const Pose2& pose, double way) {
+  path.Sample(beside.speed / settings.frame_rate_hz, [&](const Pose2& pose, double way) {
     const double down = seabed.Depth(pose.north, pose.east) - settings.altitude_m;
     frames.path_m.push_back(way);
-    frames.time_s.push_back(way / speed);
+    frames.time_s.push_back(way / beside.speed);
     frames.X_WB.push_back({{pose.north, pose.east, down}, 0.0, 0.0, pose.yaw});
   });
   return frames;
@@ -101,14 +103,14 @@ struct ScoredLanes {
 
 ScoredLanes ScoreOf(const FlownTour& lanes, const LaneSurvey& survey, const Scenario& scenario,
                     const ReportSettings& settings) {
-  const SurveyFrames frames = FramesAlong(lanes.path, survey.speed, scenario, settings);
+  const SurveyFrames frames = FramesAlong(lanes.path, survey.beside, scenario, settings);
   const CoverageScore coverage = ScoreCoverage(frames, survey.area, scenario, settings, {});
   DubinsPath path = ThereAndHome(lanes.path, frames, coverage, survey);
   const double way = path.length();
   return {.score = {.passes = static_cast<int>(lanes.passes.size()),
                     .direction_deg = MoosHeadingFromYaw(lanes.passes.front().in.yaw),
                     .path_m = way,
-                    .time_s = way / survey.speed,
+                    .time_s = way / survey.beside.speed,
                     .seabed = {},
                     .band = {}},
           .path = std::move(path),
@@ -119,7 +121,7 @@ ScoredLanes ScoreOf(const FlownTour& lanes, const LaneSurvey& survey, const Scen
 /// belong to no figure of it.
 LanesScore WithLevels(const ScoredLanes& lanes, const LaneSurvey& survey, const Scenario& scenario,
                       const ReportSettings& settings) {
-  const SurveyFrames frames = FramesAlong(lanes.path, survey.speed, scenario, settings);
+  const SurveyFrames frames = FramesAlong(lanes.path, survey.beside, scenario, settings);
   CoverageScore coverage = ScoreCoverage(frames, survey.area, scenario, settings, {});
   LanesScore score = lanes.score;
   score.seabed = std::move(coverage.seabed);
@@ -133,20 +135,18 @@ bool IsBetter(const ScoredLanes& a, const ScoredLanes& b) {
 
 }  // namespace
 
-std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const Pose2& start,
-                                     const HomePoint& home, double speed, const Scenario& scenario,
-                                     const ReportSettings& settings) {
+std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const SurveyBesideLanes& beside,
+                                     const Scenario& scenario, const ReportSettings& settings) {
   const double box_m2 = (area.north_max - area.north_min) * (area.east_max - area.east_min);
-  const bool is_reckoned =
-      !ProblemOf(area) && speed > 0.0 && box_m2 <= kMostLaneCells * kGridCell_m * kGridCell_m;
+  const bool is_reckoned = !ProblemOf(area) && beside.speed > 0.0 &&
+                           box_m2 <= kMostLaneCells * kGridCell_m * kGridCell_m;
   if (!is_reckoned) return std::nullopt;
   const Region region(area);
   const LaneSurvey survey{.area = area,
                           .region = region,
                           .turn_radius = Meters(settings.turning_radius_m),
-                          .start = start,
-                          .home = {home.north, home.east},
-                          .speed = speed};
+                          .home = {beside.home.north, beside.home.east},
+                          .beside = beside};
   std::optional<ScoredLanes> best;
   for (const FlownTour& tour : BestLanes(survey, settings)) {
     ScoredLanes lanes = ScoreOf(tour, survey, scenario, settings);

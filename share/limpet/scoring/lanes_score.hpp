@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "limpet/planning/pose2.hpp"
 #include "limpet/scoring/coverage_score.hpp"
@@ -22,10 +23,18 @@ struct LanesScore {
 };
 inline constexpr double kLaneShare = 0.975;
 
-/// From `start` and back to `home` at `speed` [m/s]. Nothing if no lane can be flown, or if the
+/// The survey that lanes are reckoned beside.
+struct SurveyBesideLanes {
+  Pose2 start;  ///< of the survey, the dive behind it
+  HomePoint home;
+  double speed = 0.0;           ///< over ground, on average [m/s]
+  std::vector<Pose> dive_X_WB;  ///< frames of the dive: what they show need no lanes show again
+};
+
+/// From its start and back to its home, as fast as it. Nothing if no lane can be flown, or if the
 /// area is none or too large to be reckoned with in seconds (`kMostLaneCells` cells).
-[[nodiscard]] std::optional<LanesScore> ScoreLanes(const SurveyArea& area, const Pose2& start,
-                                                   const HomePoint& home, double speed,
+[[nodiscard]] std::optional<LanesScore> ScoreLanes(const SurveyArea& area,
+                                                   const SurveyBesideLanes& beside,
                                                    const Scenario& scenario,
                                                    const ReportSettings& settings);
 inline constexpr double kMostLaneCells = 4e5;

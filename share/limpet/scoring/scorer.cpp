@@ -34,8 +34,12 @@ std::optional<LanesScore> LanesBeside(const SessionRecord& record, const SurveyF
   const Pose2 start{.north = X_WB.p_WB.x(), .east = X_WB.p_WB.y(), .yaw = X_WB.yaw};
   const HomePoint home = record.home.value_or(
       HomePoint{.north = scenario.start.north_m, .east = scenario.start.east_m});
-  const double speed = frames.path_m.back() / frames.time_s.back();
-  return ScoreLanes(*record.area, start, home, speed, scenario, settings);
+  return ScoreLanes(*record.area,
+                    {.start = start,
+                     .home = home,
+                     .speed = frames.path_m.back() / frames.time_s.back(),
+                     .dive_X_WB = frames.dive_X_WB},
+                    scenario, settings);
 }
 
 void ScoreAgainstTruth(const SessionRecord& record, const Scenario& scenario,

@@ -96,7 +96,10 @@ TEST(CoverageScore, WhatTheDiveShowedFromWhereTheVehicleMapsWasSeen) {
   EXPECT_GT(with.covered, without.covered + 0.05);
   EXPECT_GT(with.detected_band, without.detected_band + 0.03);
   EXPECT_LT(with.unseen.band, without.unseen.band - 0.03);
-  EXPECT_EQ(with.curve.seabed, without.curve.seabed) << "levels are of the survey's way";
+  EXPECT_GT(with.curve.seabed.front(), without.curve.seabed.front() + 0.05)
+      << "a survey begins with what its dive has shown";
+  EXPECT_EQ(with.curve.seabed.back(), with.covered);
+  EXPECT_EQ(with.curve.band.back(), with.detected_band);
 }
 
 /// One lane due north, 2 m west of a wall that runs north.

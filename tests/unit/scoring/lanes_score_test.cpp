@@ -22,10 +22,15 @@ SurveyArea Table1Area() {
   return area;
 }
 
+SurveyBesideLanes InTheCorner() {
+  return {.start = {.north = -12.5, .east = -15.5, .yaw = 0.5 * std::numbers::pi},
+          .home = {.north = -12.5, .east = -15.5},
+          .speed = kSpeed,
+          .dive_X_WB = {}};
+}
+
 std::optional<LanesScore> LanesOver(const SurveyArea& area) {
-  const Pose2 start{.north = -12.5, .east = -15.5, .yaw = 0.5 * std::numbers::pi};
-  return ScoreLanes(area, start, {.north = -12.5, .east = -15.5}, kSpeed, Table1Scenario(),
-                    Table1Settings());
+  return ScoreLanes(area, InTheCorner(), Table1Scenario(), Table1Settings());
 }
 
 double WayTo(const std::vector<CoverageLevel>& levels, double share) {
@@ -68,6 +73,18 @@ TEST(LanesScore, ReachesItsSharesOnTheWayThatItSays) {
   }
 }
 
+TEST(LanesScore, NeedNotShowAgainWhatTheDiveHasShown) {
+  SurveyBesideLanes beside = InTheCorner();
+  for (double north = -14.0; north <= 14.0; north += 0.5) {  // a dive as long as the area
+    for (int look = 0; look < 3; ++look)
+      beside.dive_X_WB.push_back({{north, -15.0, 3.5}, 0.0, 0.0, 0.0});
+  }
+  const auto lanes = ScoreLanes(Table1Area(), beside, Table1Scenario(), Table1Settings());
+  const auto alone = LanesOver(Table1Area());
+  ASSERT_TRUE(lanes && alone);
+  EXPECT_LT(WayTo(lanes->seabed, 0.9), WayTo(alone->seabed, 0.9) - 10.0);
+}
+
 TEST(LanesScore, GoesAroundAKeepOutZone) {
   SurveyArea area = Table1Area();
   area.keep_out = "{-4,-4:4,-4:4,4:-4,4}";
@@ -81,7 +98,11 @@ TEST(LanesScore, LeadsInFromAStartOutsideByTheTransit) {
   area.operating_region = "{-20,-17:20,-17:20,17:-20,17}";
   area.transit = "{30,0:19,0}";
   const Pose2 slip{.north = 20.0, .east = 40.0, .yaw = std::numbers::pi};
-  const auto lanes = ScoreLanes(area, slip, {.north = slip.north, .east = slip.east}, kSpeed,
+  const auto lanes = ScoreLanes(area,
+                                {.start = slip,
+                                 .home = {.north = slip.north, .east = slip.east},
+                                 .speed = kSpeed,
+                                 .dive_X_WB = {}},
                                 Table1Scenario(), Table1Settings());
   ASSERT_TRUE(lanes);
   EXPECT_GT(lanes->path_m, LanesOver(Table1Area())->path_m + 30.0) << "in and out again";
