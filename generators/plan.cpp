@@ -13,7 +13,7 @@ namespace {
 class PlanGenerator final : public OptionGenerator {
  public:
   struct Params {
-    double finish_share = TourGoal{}.finish_share;
+    double finish_share = 0.99;
     MissionPlanParams plan;
     template <class Visitor>
     void Describe(Visitor& visit) {
