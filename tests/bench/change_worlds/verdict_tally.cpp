@@ -53,13 +53,13 @@ std::string StatedAbove(const std::vector<Saying>& decided, double least) {
 void VerdictTally::AddChange(std::uint64_t seed, const json& change) {
   const std::string truth = change.at("expected").is_null() ? "nothing" : change.at("expected");
   const std::string decided = change.at("decided");
-  const double probability = change.at("probability");
   ++verdicts_[truth][decided];
   if (!change.at("posterior").is_null() && truth != "moved" && decided != "not_inspected") {
     for (const char* status : kStatuses)
       sayings_[status].push_back({change.at("posterior").at(status), truth == status});
   }
   if (!IsVerdict(decided)) return;
+  const double probability = change.at("probability");  // null of what no session has found
   decided_.push_back({probability, decided == truth});
   if (decided != truth && probability >= kSure) {
     wrong_.push_back(
