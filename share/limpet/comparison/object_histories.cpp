@@ -18,10 +18,6 @@ using OrderedJson = nlohmann::ordered_json;
 
 bool IsThere(const OpiBelief& object) { return object.landmark.has_value(); }
 
-bool IsOpen(const OpiBelief& object) {
-  return object.decided == Status::kUncertain || object.decided == Status::kNotInspected;
-}
-
 /// How sure it is whether an object that is there was there before.
 double Surest(const OpiBelief& object) {
   return std::max(object.posterior.confirmed, object.posterior.appeared);
@@ -99,11 +95,11 @@ class HistoryKeeper {
   [[nodiscard]] HistoryEntry EntryOfNewcomer(const OpiBelief& object, std::size_t now) {
     const OpiBelief* best = &object;
     std::size_t by = now - 1;
-    for (std::size_t former = now - 1; IsOpen(*best) && former-- > 0;) {
+    for (std::size_t former = now - 1; IsOpen(best->decided) && former-- > 0;) {
       const std::vector<OpiBelief>& said = Between(former, now).objects;
       const auto found = std::ranges::find(said, object.landmark, &OpiBelief::landmark);
       if (found == said.end() || found->former_id) continue;
-      if (!IsOpen(*found) || Surest(*found) > Surest(*best)) best = &*found, by = former;
+      if (!IsOpen(found->decided) || Surest(*found) > Surest(*best)) best = &*found, by = former;
     }
     return EntryOf(*best, by, now);
   }

@@ -19,13 +19,15 @@ using Point = SvgCanvas::Point;
 void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
   if (!change.p_W) return;
   const Point at = map.At(change.p_W->x(), change.p_W->y());
-  DrawStatus(map.canvas(), at, StatusFromName(change.decided).value_or(Status::kUncertain), 8.0);
-  const std::string decided = change.decided + " " + ProbabilityText(change.probability);
+  DrawStatus(map.canvas(), at, change.decided, 8.0);
+  const std::string decided =
+      fmt::format("{} {}", NameOf(change.decided), ProbabilityText(change.probability));
   PlaceLabel label{.lines = {decided}};
   if (is_judged) label.lines = {change.truth.value_or("nothing is here"), decided};
   if (is_judged && !change.is_right() && !change.is_open()) {
     map.canvas().Circle(at, 14.0, {.stroke = palette::kVermillion, .width = 2.5});
-    label.lines.push_back("wrong: " + change.expected.value_or("there was never anything"));
+    label.lines.push_back(fmt::format(
+        "wrong: {}", change.expected ? NameOf(*change.expected) : "there was never anything"));
     label.distance = 20.0;
   }
   DrawLabel(map, *change.p_W, label);

@@ -33,6 +33,10 @@ struct StatusPosterior {
 /// What is decided about an object. Uncertain: looks say too little; not inspected: there was none
 /// that could have said anything, so nothing is known that was not known before.
 enum class Status { kUncertain, kNotInspected, kConfirmed, kRemoved, kNew, kMoved, kNothing };
+/// True where nothing was decided.
+[[nodiscard]] constexpr bool IsOpen(Status status) {
+  return status == Status::kUncertain || status == Status::kNotInspected;
+}
 [[nodiscard]] std::string_view NameOf(Status status);
 /// Nothing for a word that names no status.
 [[nodiscard]] std::optional<Status> StatusFromName(std::string_view name);

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limpet/objects/status_posterior.hpp"
+
 namespace limpet {
 namespace {
 
@@ -54,6 +56,11 @@ Number WrongStatuses(const Json& session) {
   }));
 }
 
+bool IsOpenIn(const Json& change) {
+  const std::optional<Status> decided = StatusFromName(change.at("decided").get<std::string>());
+  return decided && IsOpen(*decided);
+}
+
 /// What is left open is never wrong.
 Number WrongWhenSure(const Json& session) {
   constexpr double kSure = 0.95;
@@ -62,9 +69,8 @@ Number WrongWhenSure(const Json& session) {
   if (!said.is_array()) return std::nullopt;
   return static_cast<double>(std::count_if(said.begin(), said.end(), [&](const Json& entry) {
     const bool is_wrong =
-        !has_changes ||
-        (entry.at("decided") != "uncertain" && entry.at("decided") != "not_inspected" &&
-         (entry.at("truth").is_null() || entry.at("decided") != entry.at("expected")));
+        !has_changes || (!IsOpenIn(entry) && (entry.at("truth").is_null() ||
+                                              entry.at("decided") != entry.at("expected")));
     return is_wrong && entry.at("probability").get<double>() >= kSure;
   }));
 }

@@ -163,8 +163,7 @@ std::string DecisionsTable(const SessionScore& session) {
   for (const ChangeScore& change : session.opis.changes) {
     out += fmt::format("<tr>{}<td class=\"left\">{}</td><td>{}</td></tr>\n",
                        change.p_W ? PlaceCells(*change.p_W) : "<td colspan=\"3\"></td>",
-                       EscapedMarkup(change.decided),
-                       EscapedMarkup(ProbabilityText(change.probability)));
+                       NameOf(change.decided), EscapedMarkup(ProbabilityText(change.probability)));
   }
   return out + "</table></div>\n<p>There is no truth for this session: nothing is judged.</p>\n";
 }
@@ -187,7 +186,7 @@ std::string ChangesTable(const SessionScore& session) {
         "class=\"left\">{}</td></tr>\n",
         EscapedMarkup(change.truth.value_or("nothing")),
         change.p_W ? PlaceCells(*change.p_W) : "<td colspan=\"3\">not known to the vehicle</td>",
-        EscapedMarkup(change.expected.value_or("nothing there")), EscapedMarkup(change.decided),
+        change.expected ? NameOf(*change.expected) : "nothing there", NameOf(change.decided),
         EscapedMarkup(ProbabilityText(change.probability)), ChangeVerdict(change));
   }
   return out + "</table></div>\n";

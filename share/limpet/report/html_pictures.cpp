@@ -37,7 +37,7 @@ std::string PicturesOf(const std::vector<PicturedObject>& objects, Seconds begun
     for (const ObjectChip& chip : object.chips)
       out += PictureOf(chip, begun);
     out += fmt::format("</p><b>{}</b> {}</div>\n", EscapedMarkup(NameOf(object)),
-                       EscapedMarkup(object.decided));
+                       NameOf(object.decided));
   }
   return out + "</div>\n";
 }

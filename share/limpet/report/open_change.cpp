@@ -11,7 +11,7 @@
 namespace limpet {
 
 std::string OpenText(const ChangeScore& change) {
-  if (!change.posterior || change.decided == NameOf(Status::kNotInspected)) return "open";
+  if (!change.posterior || change.decided == Status::kNotInspected) return "open";
   const StatusPosterior& p = *change.posterior;
   std::array<std::pair<double, const char*>, 4> may_be{{{p.confirmed, "confirmed"},
                                                         {p.removed, "removed"},

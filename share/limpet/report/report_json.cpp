@@ -105,18 +105,18 @@ OrderedJson PosteriorJson(const StatusPosterior& posterior) {
 OrderedJson Changes(const std::vector<ChangeScore>& changes) {
   OrderedJson list = OrderedJson::array();
   for (const ChangeScore& change : changes) {
-    list.push_back(
-        {{"truth", change.truth ? OrderedJson(*change.truth) : OrderedJson(nullptr)},
-         {"expected", change.expected ? OrderedJson(*change.expected) : OrderedJson(nullptr)},
-         {"decided", change.decided},
-         {"probability",
-          change.probability ? OrderedJson(Share(*change.probability)) : OrderedJson(nullptr)},
-         {"moved_probability", change.moved_probability
-                                   ? OrderedJson(Share(*change.moved_probability))
-                                   : OrderedJson(nullptr)},
-         {"ned_m", change.p_W ? PointJson(*change.p_W) : OrderedJson(nullptr)},
-         {"posterior",
-          change.posterior ? PosteriorJson(*change.posterior) : OrderedJson(nullptr)}});
+    list.push_back({{"truth", change.truth ? OrderedJson(*change.truth) : OrderedJson(nullptr)},
+                    {"expected", change.expected ? OrderedJson(NameOf(*change.expected))
+                                                 : OrderedJson(nullptr)},
+                    {"decided", NameOf(change.decided)},
+                    {"probability", change.probability ? OrderedJson(Share(*change.probability))
+                                                       : OrderedJson(nullptr)},
+                    {"moved_probability", change.moved_probability
+                                              ? OrderedJson(Share(*change.moved_probability))
+                                              : OrderedJson(nullptr)},
+                    {"ned_m", change.p_W ? PointJson(*change.p_W) : OrderedJson(nullptr)},
+                    {"posterior",
+                     change.posterior ? PosteriorJson(*change.posterior) : OrderedJson(nullptr)}});
   }
   return list;
 }

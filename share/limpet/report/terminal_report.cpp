@@ -98,8 +98,9 @@ std::string ReportedTable(const SessionScore& session, const Painter& paint) {
                        ProbabilityText(opi.posterior.present()), OneLine(opi.object.color, 20));
   }
   for (const ChangeScore& change : session.opis.changes) {
-    out += fmt::format("  {:<10} {}   {} {:>6}\n", "decided", Place(change.p_W),
-                       Name(change.decided), ProbabilityText(change.probability));
+    out +=
+        fmt::format("  {:<10} {}   {} {:>6}\n", "decided", Place(change.p_W),
+                    Name(std::string(NameOf(change.decided))), ProbabilityText(change.probability));
   }
   return out +
          "  no truth in this session: nothing is judged, and what needs the truth is left out\n";
@@ -121,8 +122,8 @@ std::string ChangeTable(const SessionScore& session, const Painter& paint) {
     });
     out +=
         fmt::format("  {} {}   {:<10} {} {:>6} {:>7}  {}\n", Name(change.truth.value_or("nothing")),
-                    Place(change.p_W), change.expected.value_or("-"), Name(change.decided),
-                    ProbabilityText(change.probability),
+                    Place(change.p_W), change.expected ? NameOf(*change.expected) : "-",
+                    Name(std::string(NameOf(change.decided))), ProbabilityText(change.probability),
                     opi != found.end() ? fmt::format("{:.2f} m", opi->error_m) : "-",
                     OutcomeText(change, paint));
   }

@@ -124,12 +124,13 @@ struct SessionPair {
   std::string former, now;
 };
 
-std::optional<std::string> ExpectedStatus(const ScenarioOpi& opi, const SessionPair& sessions) {
+std::optional<Status> ExpectedStatus(const ScenarioOpi& opi, const SessionPair& sessions) {
   const auto before = opi.Place(sessions.former);
   const auto now = opi.Place(sessions.now);
-  if (before && now) return (*before - *now).norm() >= kMovedDistance ? "moved" : "confirmed";
-  if (before) return "removed";
-  if (now) return "new";
+  if (before && now)
+    return (*before - *now).norm() >= kMovedDistance ? Status::kMoved : Status::kConfirmed;
+  if (before) return Status::kRemoved;
+  if (now) return Status::kNew;
   return std::nullopt;
 }
 
@@ -138,7 +139,7 @@ bool IsTraceOfAMove(const OpiBelief& belief, const Scenario& scenario,
                     const SessionPair& sessions) {
   return std::any_of(scenario.opis.begin(), scenario.opis.end(), [&](const ScenarioOpi& opi) {
     const auto before = opi.Place(sessions.former);
-    return ExpectedStatus(opi, sessions) == "moved" && belief.decided == Status::kRemoved &&
+    return ExpectedStatus(opi, sessions) == Status::kMoved && belief.decided == Status::kRemoved &&
            (*before - belief.object.p_W).norm() <= kMatchRadius;
   });
 }
@@ -161,14 +162,11 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Status unknown =
         record.grid.HasInspected(places[i].p_W) ? Status::kUncertain : Status::kNotInspected;
-    ChangeScore score{places[i].opi->name,
-                      ExpectedStatus(*places[i].opi, sessions),
-                      std::string(NameOf(unknown)),
-                      std::nullopt,
-                      {}};
+    ChangeScore score{
+        places[i].opi->name, ExpectedStatus(*places[i].opi, sessions), unknown, std::nullopt, {}};
     if (matched[i] != nullptr) {
       const OpiBelief& opi = *matched[i];
-      score.decided = NameOf(opi.decided);
+      score.decided = opi.decided;
       score.probability = ProbabilityOf(opi);
       score.p_W = opi.object.p_W;
       score.posterior = opi.posterior;
@@ -179,17 +177,12 @@ void ScoreChanges(const SessionRecord& record, const std::string& former, const 
   for (const OpiBelief& belief : beliefs) {
     const bool is_known = Contains(matched, belief) || IsTraceOfAMove(belief, scenario, sessions);
     if (is_known || !IsDecided(belief)) continue;
-    scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(belief.decided)),
-                              ProbabilityOf(belief), belief.object.p_W, belief.posterior,
-                              belief.moved_probability});
+    scores.changes.push_back({std::nullopt, std::nullopt, belief.decided, ProbabilityOf(belief),
+                              belief.object.p_W, belief.posterior, belief.moved_probability});
   }
 }
 
 }  // namespace
-
-bool ChangeScore::is_open() const {
-  return decided == NameOf(Status::kUncertain) || decided == NameOf(Status::kNotInspected);
-}
 
 OpiBelief SmoothedBelief(OpiBelief opi, const std::vector<Landmark>& landmarks) {
   for (const Landmark& landmark : landmarks) {
@@ -213,9 +206,9 @@ OpiScores ReportedOpis(const SessionRecord& record, bool has_former) {
   scores.reported = Reported(record, has_former);
   if (!has_former) return scores;
   for (const OpiBelief& opi : record.opis) {
-    scores.changes.push_back({std::nullopt, std::nullopt, std::string(NameOf(opi.decided)),
-                              ProbabilityOf(opi), SmoothedBelief(opi, record.landmarks).object.p_W,
-                              opi.posterior, opi.moved_probability});
+    scores.changes.push_back({std::nullopt, std::nullopt, opi.decided, ProbabilityOf(opi),
+                              SmoothedBelief(opi, record.landmarks).object.p_W, opi.posterior,
+                              opi.moved_probability});
   }
   return scores;
 }

@@ -26,16 +26,15 @@ struct OpiScore {
 /// What became of a true object between the sessions, and what the vehicle decided.
 struct ChangeScore {
   std::optional<std::string> truth;     ///< nothing: a decision about nothing
-  std::optional<std::string> expected;  ///< confirmed, removed, new, moved
-  std::string decided;                  ///< one of these, uncertain or not_inspected
+  std::optional<Status> expected;       ///< confirmed, removed, new, moved
+  Status decided = Status::kUncertain;  ///< one of these, uncertain or not_inspected
   std::optional<double> probability;    ///< of what was decided; nothing: no look says any
   std::optional<Eigen::Vector3d> p_W;   ///< where the vehicle says; nothing: it knows of no object
   std::optional<StatusPosterior> posterior = std::nullopt;  ///< of that object
   /// As OpiBelief; the posterior does not know of it.
   std::optional<double> moved_probability = std::nullopt;
   [[nodiscard]] bool is_right() const { return expected && *expected == decided; }
-  /// True if nothing was decided.
-  [[nodiscard]] bool is_open() const;
+  [[nodiscard]] bool is_open() const { return IsOpen(decided); }
 };
 
 /// Every belief in it is as SmoothedBelief gives it.

@@ -23,7 +23,7 @@ std::vector<PicturedObject> PicturedObjects(const SessionRecord& record, const O
     if (chips.empty()) continue;
     objects.push_back({.id = opi.id,
                        .color = opi.object.color,
-                       .decided = std::string(NameOf(opi.decided)),
+                       .decided = opi.decided,
                        .truth = TruthOf(opi.id, scores),
                        .chips = chips});
   }

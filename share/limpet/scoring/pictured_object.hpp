@@ -13,9 +13,9 @@ namespace limpet {
 /// An object of the session, and what it looked like.
 struct PicturedObject {
   int id = 0;
-  std::string color;    ///< as the vehicle says
-  std::string decided;  ///< status, as report.json names it
-  std::string truth;    ///< what it is; "nothing" for an invented one, empty if nobody can say
+  std::string color;  ///< as the vehicle says
+  Status decided = Status::kUncertain;
+  std::string truth;  ///< what it is; "nothing" for an invented one, empty if nobody can say
   std::vector<ObjectChip> chips;  ///< best first
 };
 

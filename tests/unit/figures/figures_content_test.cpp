@@ -175,7 +175,7 @@ TEST(ChangeFigure, NamesEveryObjectWithWhatWasDecidedOfIt) {
   ASSERT_EQ(drawn.score.opis.changes.size(), 5U);
   for (const ChangeScore& change : drawn.score.opis.changes) {
     EXPECT_THAT(texts, Contains(*change.truth));
-    EXPECT_THAT(texts, Contains(HasSubstr(change.decided)));
+    EXPECT_THAT(texts, Contains(HasSubstr(std::string(NameOf(change.decided)))));
   }
   EXPECT_THAT(texts, Contains("What changed: 5 of 5 statuses right"));
 }
@@ -183,7 +183,7 @@ TEST(ChangeFigure, NamesEveryObjectWithWhatWasDecidedOfIt) {
 TEST(ChangeFigure, RingsADecisionThatIsWrong) {
   const DrawnSession& drawn = Drawn();
   SessionScore wrong = drawn.score;
-  wrong.opis.changes[0].decided = "removed";
+  wrong.opis.changes[0].decided = Status::kRemoved;
   const MapAxes map(AreaOf(drawn.record), "t", "s");
   const auto elements =
       ReadSvg(ChangeFigure({drawn.record, wrong, drawn.settings, drawn.scenario}).svg);

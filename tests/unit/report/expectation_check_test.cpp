@@ -46,13 +46,13 @@ TEST(ExpectationCheck, MayBeUncertainAndWrongWhenUnsure) {
   RunScore run = ChangeRun(false);
   ChangeScore& change = run.sessions[0].opis.changes[0];
   EXPECT_THAT(Check(run, expected).breaches, IsEmpty());
-  change.decided = "uncertain", change.probability = 0.97;
+  change.decided = Status::kUncertain, change.probability = 0.97;
   EXPECT_THAT(Check(run, expected).breaches, IsEmpty());
-  change.decided = "removed", change.probability = 0.94;
+  change.decided = Status::kRemoved, change.probability = 0.94;
   EXPECT_THAT(Check(run, expected).breaches, IsEmpty());
   change.probability = 0.95;
   EXPECT_THAT(Check(run, expected).breaches, ElementsAre(HasSubstr("wrong_when_sure is 1")));
-  change.truth = change.expected = std::nullopt;
+  change.truth.reset(), change.expected.reset();
   EXPECT_THAT(Check(run, expected).breaches, ElementsAre(HasSubstr("wrong_when_sure is 1")));
 }
 

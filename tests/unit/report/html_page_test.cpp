@@ -22,15 +22,15 @@ TEST(HtmlPage, CallsAnUndecidedChangeOpenNotWrong) {
   std::vector<ChangeScore>& changes = run.sessions[0].opis.changes;
   for (ChangeScore& change : changes)
     change.decided = *change.expected;
-  changes.at(0).decided = NameOf(Status::kUncertain);
+  changes.at(0).decided = Status::kUncertain;
   changes.at(0).posterior =
       StatusPosterior{.confirmed = 0.72, .removed = 0.25, .appeared = 0.0, .nothing = 0.03};
-  changes.at(1).decided = NameOf(Status::kNotInspected);
+  changes.at(1).decided = Status::kNotInspected;
   const std::string page = HtmlPage(run, {});
   EXPECT_THAT(page, HasSubstr(">open: confirmed or removed</span>"));
   EXPECT_THAT(page, HasSubstr(">open</span>"));
   EXPECT_THAT(page, Not(HasSubstr(" wrong</span>")));
-  changes.at(3).decided = "removed";  // it is there
+  changes.at(3).decided = Status::kRemoved;  // it is there
   EXPECT_THAT(HtmlPage(run, {}), HasSubstr(" wrong</span>"));
 }
 

@@ -13,7 +13,7 @@ using testing::Not;
 PicturedObject Ball() {
   return {.id = 3,
           .color = "yellow",
-          .decided = "new",
+          .decided = Status::kNew,
           .truth = "OPI 5",
           .chips = {{.exposure = Seconds(1100.0),
                      .box = {.confidence = 0.875, .color = "yellow"},

@@ -37,18 +37,18 @@ TEST(TerminalReport, NamesAWrongStatusAndAMissedObject) {
 TEST(TerminalReport, SaysWhatAnOpenObjectMayBe) {
   RunScore run = BriefRun(false);
   ChangeScore& change = run.sessions[0].opis.changes.at(0);
-  change.decided = NameOf(Status::kUncertain);
+  change.decided = Status::kUncertain;
   change.posterior =
       StatusPosterior{.confirmed = 0.72, .removed = 0.25, .appeared = 0.0, .nothing = 0.03};
   EXPECT_THAT(TerminalReport(run, false), HasSubstr("open: confirmed or removed\n"));
-  change.decided = NameOf(Status::kNotInspected);
+  change.decided = Status::kNotInspected;
   EXPECT_THAT(TerminalReport(run, false), HasSubstr(" open\n"));
 }
 
 TEST(TerminalReport, SaysNoProbabilityOfWhatNoLookSaysAnythingAbout) {
   RunScore run = BriefRun(false);
   ChangeScore& change = run.sessions[0].opis.changes.at(0);
-  change.decided = NameOf(Status::kNotInspected);
+  change.decided = Status::kNotInspected;
   change.posterior.reset(), change.probability.reset();
   const std::string text = TerminalReport(run, false);
   EXPECT_THAT(text, HasSubstr("not_inspected      -"));

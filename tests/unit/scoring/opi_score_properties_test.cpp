@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
@@ -100,7 +101,9 @@ TEST_P(ScoredField, TheOrderOfReportsAndObjectsDoesNotMatter) {
     for (const std::string& missed : scores.missed)
       lines.insert("missed " + missed);
     for (const ChangeScore& change : scores.changes) {
-      lines.insert(change.truth.value_or("?") + change.expected.value_or("?") + change.decided);
+      lines.insert(fmt::format("{} {} {}", change.truth.value_or("?"),
+                               change.expected ? NameOf(*change.expected) : "?",
+                               NameOf(change.decided)));
     }
     return lines;
   };
@@ -120,9 +123,10 @@ TEST_P(ScoredField, WhatIsExpectedFollowsFromWhereAnObjectWasAndIs) {
     ++judged;
     const auto truth = std::ranges::find(scenario_.opis, *change.truth, &ScenarioOpi::name);
     const auto before = truth->Place("discovery"), now = truth->Place("change");
-    const std::string expected =
-        before && now ? ((*before - *now).norm() >= 0.5 - 1e-6 ? "moved" : "confirmed")
-                      : (before ? "removed" : "new");
+    const Status expected =
+        before && now
+            ? ((*before - *now).norm() >= 0.5 - 1e-6 ? Status::kMoved : Status::kConfirmed)
+            : (before ? Status::kRemoved : Status::kNew);
     EXPECT_EQ(change.expected, expected) << *change.truth;
     EXPECT_EQ(change.is_right(), change.decided == expected);
     EXPECT_TRUE(change.p_W || change.is_open()) << "a status is of something";

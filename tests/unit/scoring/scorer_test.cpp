@@ -222,8 +222,8 @@ TEST(Scorer, TellsTwoObjectsOfOnePlaceApartByTheirColour) {
   session.opis[0].decided = Status::kRemoved, session.opis[1].decided = Status::kNew;
   for (int turn = 0; turn < 2; ++turn) {
     const SessionScore score = ScoreSession(RecordOf(session), scenario, Table1Settings());
-    EXPECT_EQ(score.opis.changes[0].decided, "removed");
-    EXPECT_EQ(score.opis.changes[1].decided, "new");
+    EXPECT_EQ(score.opis.changes[0].decided, Status::kRemoved);
+    EXPECT_EQ(score.opis.changes[1].decided, Status::kNew);
     std::swap(session.opis[0].object.p_W, session.opis[1].object.p_W);
   }
 }
@@ -232,7 +232,7 @@ TEST(Scorer, ExpectsMovedOfAnObjectThatChangedItsPlace) {
   Scenario scenario = Table1Scenario();
   scenario.opis[0].places["change"] = Eigen::Vector3d(8.0, 1.0, 5.5);
   const SessionScore score = ScoreSession(RecordOf(Brief(Change())), scenario, Table1Settings());
-  EXPECT_EQ(score.opis.changes[0].expected, "moved");
+  EXPECT_EQ(score.opis.changes[0].expected, Status::kMoved);
 }
 
 TEST(Scorer, ExpectsMovedFromHalfAMetreOn) {
@@ -244,9 +244,9 @@ TEST(Scorer, ExpectsMovedFromHalfAMetreOn) {
         .opis.changes[0]
         .expected;
   };
-  EXPECT_EQ(expected(0.5), "moved");
-  EXPECT_EQ(expected(-0.5), "moved");
-  EXPECT_EQ(expected(0.49), "confirmed");
+  EXPECT_EQ(expected(0.5), Status::kMoved);
+  EXPECT_EQ(expected(-0.5), Status::kMoved);
+  EXPECT_EQ(expected(0.49), Status::kConfirmed);
 }
 
 TEST(Scorer, HasNoProbabilityOfWhatNoLookSaysAnythingAbout) {
@@ -283,9 +283,9 @@ TEST(Scorer, ComparesEachSessionWithTheOneBeforeIt) {
   session.former = "change";
   const SessionScore score = ScoreSession(RecordOf(session), scenario, Table1Settings());
   ASSERT_EQ(score.opis.changes.size(), 5U);
-  EXPECT_EQ(score.opis.changes[0].expected, "confirmed");
-  EXPECT_EQ(score.opis.changes[1].expected, "new");  // OPI 2 is back
-  EXPECT_EQ(score.opis.changes[4].expected, "removed");
+  EXPECT_EQ(score.opis.changes[0].expected, Status::kConfirmed);
+  EXPECT_EQ(score.opis.changes[1].expected, Status::kNew);  // OPI 2 is back
+  EXPECT_EQ(score.opis.changes[4].expected, Status::kRemoved);
 }
 
 TEST(Scorer, TakesTheRunsOrderWhereTheLogDoesNotNameTheFormerSession) {

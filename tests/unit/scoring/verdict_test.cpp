@@ -24,7 +24,7 @@ SessionScore HomeWith(int found) {
   return session;
 }
 
-ChangeScore Decision(const std::string& expected, const std::string& decided) {
+ChangeScore Decision(Status expected, Status decided) {
   ChangeScore change;
   change.truth = "buoy";
   change.expected = expected;
@@ -36,8 +36,8 @@ ChangeScore Decision(const std::string& expected, const std::string& decided) {
 RunScore FlawlessRun() {
   RunScore run;
   run.sessions = {HomeWith(4), HomeWith(4)};
-  run.sessions[1].opis.changes = {Decision("confirmed", "confirmed"),
-                                  Decision("removed", "removed")};
+  run.sessions[1].opis.changes = {Decision(Status::kConfirmed, Status::kConfirmed),
+                                  Decision(Status::kRemoved, Status::kRemoved)};
   return run;
 }
 
@@ -78,18 +78,18 @@ INSTANTIATE_TEST_SUITE_P(
               "1 misplaced"},
         Fault{"AStatusWrong",
               [](RunScore& run) {
-                run.sessions[1].opis.changes[0] = Decision("confirmed", "removed");
+                run.sessions[1].opis.changes[0] = Decision(Status::kConfirmed, Status::kRemoved);
               },
               "1 of 2 statuses right"},
         Fault{"AStatusUncertain",
               [](RunScore& run) {
-                run.sessions[1].opis.changes[1] = Decision("removed", "uncertain");
+                run.sessions[1].opis.changes[1] = Decision(Status::kRemoved, Status::kUncertain);
               },
               "1 of 2 statuses right"},
         Fault{"ADecisionAboutNothing",
               [](RunScore& run) {
                 ChangeScore change;
-                change.decided = "new";
+                change.decided = Status::kNew;
                 run.sessions[1].opis.changes.push_back(change);
               },
               "2 of 3 statuses right"},
