@@ -32,10 +32,10 @@ OrderedJson ObjectJson(const OpiBelief& object, const SessionComparison& compari
 }  // namespace
 
 OrderedJson JsonOf(const StatusPosterior& posterior) {
-  return {{"confirmed", posterior.confirmed},
-          {"removed", posterior.removed},
-          {"new", posterior.appeared},
-          {"nothing", posterior.nothing}};
+  OrderedJson out = OrderedJson::object();
+  for (const auto& [status, probability] : posterior.shares())
+    out[NameOf(status)] = probability;
+  return out;
 }
 
 OrderedJson JsonOf(const SessionFacts& facts) {

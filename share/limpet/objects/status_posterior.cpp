@@ -12,6 +12,13 @@ double StatusPosterior::Entropy() const {
   return MinusPLogP(confirmed) + MinusPLogP(removed) + MinusPLogP(appeared) + MinusPLogP(nothing);
 }
 
+std::array<StatusPosterior::Share, 4> StatusPosterior::shares() const {
+  return {{{Status::kConfirmed, confirmed},
+           {Status::kRemoved, removed},
+           {Status::kNew, appeared},
+           {Status::kNothing, nothing}}};
+}
+
 StatusPosterior StatusPosterior::Times(const PresenceLikelihood& observation) const {
   return {.confirmed = confirmed * observation.if_present,
           .removed = removed * observation.if_absent,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,13 +11,9 @@ namespace limpet {
 
 std::string OpenText(const ChangeScore& change) {
   if (!change.posterior || change.decided == Status::kNotInspected) return "open";
-  const StatusPosterior& p = *change.posterior;
-  std::array<std::pair<double, const char*>, 4> may_be{{{p.confirmed, "confirmed"},
-                                                        {p.removed, "removed"},
-                                                        {p.appeared, "new"},
-                                                        {p.nothing, "nothing"}}};
-  std::ranges::sort(may_be, std::ranges::greater());
-  return fmt::format("open: {} or {}", may_be[0].second, may_be[1].second);
+  std::array<StatusPosterior::Share, 4> may_be = change.posterior->shares();
+  std::ranges::stable_sort(may_be, std::ranges::greater(), &StatusPosterior::Share::probability);
+  return fmt::format("open: {} or {}", NameOf(may_be[0].status), NameOf(may_be[1].status));
 }
 
 }  // namespace limpet

@@ -96,10 +96,10 @@ OrderedJson InventedOpis(const std::vector<OpiBelief>& opis) {
 }
 
 OrderedJson PosteriorJson(const StatusPosterior& posterior) {
-  return {{"confirmed", Share(posterior.confirmed)},
-          {"removed", Share(posterior.removed)},
-          {"new", Share(posterior.appeared)},
-          {"nothing", Share(posterior.nothing)}};
+  OrderedJson out = OrderedJson::object();
+  for (const auto& [status, probability] : posterior.shares())
+    out[NameOf(status)] = Share(probability);
+  return out;
 }
 
 OrderedJson Changes(const std::vector<ChangeScore>& changes) {

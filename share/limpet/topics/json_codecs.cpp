@@ -60,6 +60,7 @@ void from_json(const nlohmann::json& in, TrackShift& shift) {
   if (in.contains("sigmas")) in.at("sigmas").get_to(shift.sigmas);
 }
 
+/// Under the names of its fields, not those of the statuses, as MAP_OPIS has always had it.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusPosterior, confirmed, removed, appeared, nothing)
 
 nlohmann::json TripleOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
