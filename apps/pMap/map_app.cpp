@@ -292,9 +292,7 @@ void MapApp::TellWater(Seconds now) {
   }
   last_water_ = now;
   const VisibilityBelief water = statuses_.Water();
-  const VisibilityEstimate estimate = water.estimate();
-  Publish(topics::kWaterState,
-          WaterVisibility{.visibility = estimate.visibility.value(), .sd = estimate.sd.value()});
+  Publish(topics::kWaterState, water.estimate());
   FollowWater(water);
   WarnOfMurk(water);
 }

@@ -42,7 +42,7 @@ void MapApp::WarnOfMurk(const VisibilityBelief& water) {
   const std::optional<double> chance = ChanceAtSeabed(water, is_murky_ ? kClearlyNearer : 1.0);
   is_murky_ = is_surveying && chance && *chance < kLookChance;
   if (is_murky_) {
-    const VisibilityEstimate estimate = water.estimate();
+    const WaterVisibility estimate = water.estimate();
     Warn(warnings::kWaterMurky,
          fmt::format("the seabed, {:.1f} m below, is most likely out of sight: visibility about "
                      "{:.1f} m, give or take {:.1f} m",
@@ -89,7 +89,7 @@ void MapApp::Report(ReportLines& report) const {
   report.Pair("Landmarks doubted", std::to_string(statuses_.landmarks_doubted()));
   report.Pair("False boxes", fmt::format("{:.3f} per image", statuses_.false_per_image()));
   const VisibilityBelief belief = statuses_.Water();
-  const VisibilityEstimate water = belief.estimate();
+  const WaterVisibility water = belief.estimate();
   report.Pair("Visibility", fmt::format("{:.1f} m, give or take {:.1f} m", water.visibility.value(),
                                         water.sd.value()));
   if (const std::optional<double> chance = ChanceAtSeabed(belief)) {

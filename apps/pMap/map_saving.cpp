@@ -8,11 +8,9 @@ void MapApp::OnSnapshotRequest(const Stamped<std::string>&) {
   statuses_.Rejudge();
   PaintObstacles();
   PublishObjects();
-  const VisibilityEstimate water = statuses_.Water().estimate();
-  Publish(topics::kWaterRecord,
-          WaterRecord{.visibility = planned_visibility_.value(),
-                      .estimate = {.visibility = water.visibility.value(), .sd = water.sd.value()},
-                      .contrasts = statuses_.contrasts().bins()});
+  Publish(topics::kWaterRecord, WaterRecord{.visibility = planned_visibility_.value(),
+                                            .estimate = statuses_.Water().estimate(),
+                                            .contrasts = statuses_.contrasts().bins()});
   map_.SetFormerOffset(statuses_.offset());
   map_teller_.Begin();  // lays what still waits: depths, too
   Publish(topics::kMapDepths, PackedBytes{map_.beams().depths().Serialize()});

@@ -23,9 +23,9 @@ MapParams FormerParams(const SessionPrior& prior, const MapParams& own) {
 
 /// What the former session found out of its water, else what its mission expected.
 VisibilityBelief FormerWater(const SessionPrior& prior, const StatusParams& params) {
-  const bool has_found = prior.water && prior.water->visibility > 0.0 && prior.water->sd >= 0.0;
-  return has_found ? VisibilityBelief::Of({.visibility = Meters(prior.water->visibility),
-                                           .sd = Meters(prior.water->sd)})
+  const bool has_found =
+      prior.water && prior.water->visibility > Meters(0.0) && prior.water->sd >= Meters(0.0);
+  return has_found ? VisibilityBelief::Of(*prior.water)
                    : VisibilityBelief(params.detection.visibility, params.visibility_spread);
 }
 

@@ -137,7 +137,8 @@ OrderedJson AreaJson(const std::optional<SurveyArea>& area) {
 
 OrderedJson WaterJson(const std::optional<WaterRecord>& water) {
   if (!water) return nullptr;
-  return {{"visibility_m", water->estimate.visibility}, {"sd_m", water->estimate.sd}};
+  return {{"visibility_m", water->estimate.visibility.value()},
+          {"sd_m", water->estimate.sd.value()}};
 }
 
 std::string ObjectsTable(const std::vector<OpiBelief>& objects) {
@@ -199,7 +200,7 @@ Expected<std::string> MapInfoText(const SavedSession& session) {
   pair("frames", std::to_string(session.memory.frames.size()));
   if (const auto& water = session.memory.water) {
     pair("water", fmt::format("visibility {:.1f} m, give or take {:.1f} m",
-                              water->estimate.visibility, water->estimate.sd));
+                              water->estimate.visibility.value(), water->estimate.sd.value()));
   }
   pair("voxels", info->octree
                      ? fmt::format("{} occupied, {} of objects, of {:g} m", info->octree->occupied,

@@ -90,7 +90,7 @@ std::string Cards(const SessionScore& session) {
                 "of time [s]: " + EscapedMarkup(PhaseSentence(session)));
   }
   if (session.water) {
-    out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility),
+    out += Card(fmt::format("{:.1f} m", session.water->visibility.visibility.value()),
                 "how far it could see, by its own account: " + WaterSentence(*session.water));
   }
   if (session.current) {

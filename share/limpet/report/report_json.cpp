@@ -147,8 +147,8 @@ OrderedJson Warnings(const SessionScore& session) {
 OrderedJson Water(const SessionScore& session) {
   if (!session.water) return nullptr;
   const WaterScore& water = *session.water;
-  return {{"visibility_m", Length(water.visibility.visibility)},
-          {"sd_m", Length(water.visibility.sd)},
+  return {{"visibility_m", Length(water.visibility.visibility.value())},
+          {"sd_m", Length(water.visibility.sd.value())},
           {"seen_from_height_m", Length(water.seen_from_m)},
           {"believed_coverage",
            {{"seabed", Share(water.believed.seabed)},

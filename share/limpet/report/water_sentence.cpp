@@ -28,8 +28,9 @@ std::string InSight(const WaterScore& water) {
 }  // namespace
 
 std::string WaterSentence(const WaterScore& water) {
-  return fmt::format("visibility {:.1f} m, give or take {:.1f} m; {}", water.visibility.visibility,
-                     water.visibility.sd, InSight(water));
+  return fmt::format("visibility {:.1f} m, give or take {:.1f} m; {}",
+                     water.visibility.visibility.value(), water.visibility.sd.value(),
+                     InSight(water));
 }
 
 }  // namespace limpet

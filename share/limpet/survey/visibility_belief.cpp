@@ -42,7 +42,7 @@ VisibilityBelief::VisibilityBelief(Meters expected, double spread) {
   chances_ /= chances_.sum();
 }
 
-VisibilityBelief VisibilityBelief::Of(const VisibilityEstimate& estimate) {
+VisibilityBelief VisibilityBelief::Of(const WaterVisibility& estimate) {
   constexpr double kLeastSpread = 0.1;  // of the logarithm: between two of the grid
   const double all = estimate.sd / estimate.visibility;
   const double own = std::sqrt(std::max(all * all - kDetectorSpread * kDetectorSpread, 0.0));
@@ -56,7 +56,7 @@ void VisibilityBelief::Add(const PerVisibility& log_likelihood, double most) {
   chances_ /= chances_.sum();
 }
 
-VisibilityEstimate VisibilityBelief::estimate() const {
+WaterVisibility VisibilityBelief::estimate() const {
   const PerVisibility logarithms = Logarithms();
   const double mean = Expect(logarithms);
   const double variance = Expect((logarithms - mean).square());

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "limpet/core/units.hpp"
+#include "limpet/topics/mapping.hpp"
 
 namespace limpet {
 
@@ -17,12 +18,6 @@ struct PerVisibility : Eigen::Array<double, 24, 1> {
   template <class Derived>
   // NOLINTNEXTLINE(google-explicit-constructor): sums and products are, too.
   PerVisibility(const Eigen::ArrayBase<Derived>& other) : Base(other) {}
-};
-
-/// Visibility and its standard deviation.
-struct VisibilityEstimate {
-  Meters visibility;
-  Meters sd;
 };
 
 /// What is believed of the visibility: weights over a fixed grid of visibilities, evenly spaced in
@@ -40,7 +35,7 @@ class VisibilityBelief {
   VisibilityBelief(Meters expected, double spread);
 
   /// What a session said of its water, from its `estimate()`.
-  [[nodiscard]] static VisibilityBelief Of(const VisibilityEstimate& estimate);
+  [[nodiscard]] static VisibilityBelief Of(const WaterVisibility& estimate);
 
   /// The visibilities that are considered [m].
   [[nodiscard]] static const PerVisibility& Grid();
@@ -54,7 +49,7 @@ class VisibilityBelief {
   /// Mean over the belief.
   [[nodiscard]] double Expect(const PerVisibility& value) const { return (chances_ * value).sum(); }
   /// Median-like centre (mean in the logarithm) and spread, the detector's own included.
-  [[nodiscard]] VisibilityEstimate estimate() const;
+  [[nodiscard]] WaterVisibility estimate() const;
 
  private:
   PerVisibility chances_;

@@ -249,8 +249,8 @@ void to_json(nlohmann::json& out, const SessionPrior& prior) {
          {"map_parameters", prior.map_parameters},
          {"joint", LowerTriangleOf(prior.former.joint_cov_W)}};
   if (prior.water) {
-    out["visibility_m"] = prior.water->visibility;
-    out["visibility_sd_m"] = prior.water->sd;
+    out["visibility_m"] = prior.water->visibility.value();
+    out["visibility_sd_m"] = prior.water->sd.value();
   }
   if (!prior.obstacles.empty()) out["obstacles"] = prior.obstacles;
 }
@@ -273,8 +273,8 @@ void from_json(const nlohmann::json& in, SessionPrior& prior) {
   }
   in.at("map_parameters").get_to(prior.map_parameters);
   if (in.contains("visibility_m") && in.contains("visibility_sd_m")) {
-    prior.water =
-        WaterVisibility{.visibility = in.at("visibility_m"), .sd = in.at("visibility_sd_m")};
+    prior.water = WaterVisibility{.visibility = in.at("visibility_m").get<Meters>(),
+                                  .sd = in.at("visibility_sd_m").get<Meters>()};
   }
   prior.obstacles = in.value("obstacles", std::vector<Obstacle>());
   prior.former.joint_cov_W = SymmetricFrom(in.at("joint"));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limpet/core/message.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/objects/detection_model.hpp"
 #include "limpet/objects/former_session.hpp"
 #include "limpet/objects/frame.hpp"
@@ -110,8 +111,8 @@ struct MapLook {
 
 /// How far the vehicle can see in this water, as its own detector sees (docs/water.md).
 struct WaterVisibility {
-  double visibility = 0.0;  ///< range at which an object's contrast is gone [m]
-  double sd = 0.0;          ///< its standard deviation [m]
+  Meters visibility;  ///< range at which an object's contrast is gone
+  Meters sd;          ///< its standard deviation
   template <class V>
   void Describe(V& visit) {
     visit("visibility_m", visibility), visit("sd_m", sd);

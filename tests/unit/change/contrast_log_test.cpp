@@ -30,26 +30,26 @@ ContrastLog LogOf(const World& world, double from, double to, Random& random) {
   return log;
 }
 
-VisibilityEstimate EstimateFrom(const ContrastLog& log) {
+WaterVisibility EstimateFrom(const ContrastLog& log) {
   VisibilityBelief belief(Meters(8.0), 2.0);
   belief.Add(log.LogLikelihood(), 6.0);
   return belief.estimate();
 }
 
 TEST(ContrastLog, NothingSeenSaysNothing) {
-  const VisibilityEstimate before = VisibilityBelief(Meters(8.0), 2.0).estimate();
+  const WaterVisibility before = VisibilityBelief(Meters(8.0), 2.0).estimate();
   EXPECT_EQ(EstimateFrom({}).visibility.value(), before.visibility.value());
 }
 
 TEST(ContrastLog, GroundThatDoesNotStandOutFromFourMetresMeansMurk) {
   Random random(1);
-  const VisibilityEstimate murky = EstimateFrom(LogOf({.visibility = 2.0}, 7.0, 4.0, random));
+  const WaterVisibility murky = EstimateFrom(LogOf({.visibility = 2.0}, 7.0, 4.0, random));
   EXPECT_LT(murky.visibility.value(), 5.0);
 }
 
 TEST(ContrastLog, GroundThatStandsOutFromFarMeansClearWater) {
   Random random(2);
-  const VisibilityEstimate clear = EstimateFrom(LogOf({.visibility = 12.0}, 7.0, 4.0, random));
+  const WaterVisibility clear = EstimateFrom(LogOf({.visibility = 12.0}, 7.0, 4.0, random));
   EXPECT_GT(clear.visibility.value(), 7.0);
 }
 
@@ -63,7 +63,7 @@ TEST(ContrastLog, IsAsRightAsItSaysOverManyGroundsAndWaters) {
                       .patch = random.Uniform(0.1, 0.5),
                       .folds = 3.0 * std::exp(random.Normal(0.2)),
                       .noise = 0.0024 * std::exp(random.Normal(0.5))};
-    const VisibilityEstimate said = EstimateFrom(LogOf(world, 7.5, 3.5, random));
+    const WaterVisibility said = EstimateFrom(LogOf(world, 7.5, 3.5, random));
     const double off = std::log(world.visibility / said.visibility.value());
     squares += std::pow(off / (said.sd / said.visibility), 2) / kWorlds;
   }

@@ -49,7 +49,7 @@ class ObjectStatusesTest : public ::testing::Test {
     time_ += 30.0;
   }
   /// The former session flew north over the field and saw what its list has.
-  void FormerLookedEverywhere(const VisibilityEstimate& water = {Meters(10.0), Meters(4.0)}) {
+  void FormerLookedEverywhere(const WaterVisibility& water = {Meters(10.0), Meters(4.0)}) {
     FormerViews views{.frames = {},
                       .model = {.look = {.camera = kCamera, .detection = {}}},
                       .looks = {},

@@ -91,7 +91,7 @@ class Dive {
       if (belief.former_id == former_id) return belief.posterior.removed;
     return -1.0;
   }
-  [[nodiscard]] VisibilityEstimate water() const { return statuses_.Water().estimate(); }
+  [[nodiscard]] WaterVisibility water() const { return statuses_.Water().estimate(); }
 
  private:
   void AddFrame(double north, const DetectionModel& detector) {
@@ -136,7 +136,7 @@ TEST(StatusWater, ObjectsSeenFromNearByOnlyAreMurk) {
              {.north = 27, .below = 2.1},
              {.north = 36, .below = 3.4}});
   dive.Fly(2.0);
-  const VisibilityEstimate water = dive.water();
+  const WaterVisibility water = dive.water();
   EXPECT_NEAR(water.visibility.value(), 2.0, water.sd.value());
   EXPECT_LT(water.visibility.value(), 4.0);
 }
@@ -144,7 +144,7 @@ TEST(StatusWater, ObjectsSeenFromNearByOnlyAreMurk) {
 TEST(StatusWater, ObjectsSeenFromAfarAreClearWater) {
   Dive dive({{.north = 0}, {.north = 9, .below = 3.5}, {.north = 18}});
   dive.Fly(8.0);
-  const VisibilityEstimate water = dive.water();
+  const WaterVisibility water = dive.water();
   EXPECT_GT(water.visibility.value(), 6.0);
   EXPECT_GT(water.sd.value(), 2.0) << "how clear cannot be known from so near";
 }

@@ -60,12 +60,12 @@ TEST(FormerViews, AreJudgedByTheParametersOfTheirOwnMission) {
 TEST(FormerViews, BelieveTheWaterThatTheFormerSessionFoundNotTheOneItExpected) {
   SessionPrior prior;
   prior.map_parameters = BlockWith({{"object_radius_m", "0.5"}, {"visibility_m", "8"}});
-  prior.water = WaterVisibility{.visibility = 2.5, .sd = 1.2};
-  const VisibilityEstimate found = FormerViewsOf(prior, MapParams{}).water.estimate();
+  prior.water = WaterVisibility{.visibility = Meters(2.5), .sd = Meters(1.2)};
+  const WaterVisibility found = FormerViewsOf(prior, MapParams{}).water.estimate();
   EXPECT_NEAR(found.visibility.value(), 2.5, 0.1);
   EXPECT_NEAR(found.sd.value(), 1.2, 0.15) << "as unsure as it was";
   prior.water.reset();  // it gave none
-  const VisibilityEstimate expected = FormerViewsOf(prior, MapParams{}).water.estimate();
+  const WaterVisibility expected = FormerViewsOf(prior, MapParams{}).water.estimate();
   EXPECT_NEAR(expected.visibility.value(), 8.0, 0.3);
   EXPECT_GT(expected.sd.value(), 4.0);
 }

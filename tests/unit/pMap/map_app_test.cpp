@@ -369,7 +369,7 @@ TEST_F(MapAppTest, BareGroundThatDoesNotStandOutIsNotCovered) {
                {.exposure = link_.time.value(), .green = 0.0005, .noise = 0.0008});
     app_.Tick(link_.time);
   }
-  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 4.0);
+  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, Meters(4.0));
   const Meters planned = link_.Last(topics::kMapLook)->detection.visibility;
   EXPECT_LT(planned, Meters(4.0)) << "plans follow the water";
   EXPECT_EQ(link_.Last(topics::kMapCoverage)->seabed, 0.0);

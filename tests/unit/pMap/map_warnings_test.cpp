@@ -104,11 +104,11 @@ TEST_F(MapWarningsTest, SaysThatFramesWithoutAnAltitudeAreLeftOut) {
 
 TEST_F(MapWarningsTest, TellsHowFarItSeesAndWarnsWhereTheSeabedIsOutOfSight) {
   const std::vector<trial::Sphere> high = SeeFromNearAlone();
-  EXPECT_NEAR(link_.Last(topics::kWaterState)->visibility, 8.0, 2.5);
+  EXPECT_NEAR(link_.Last(topics::kWaterState)->visibility.value(), 8.0, 2.5);
   EXPECT_FALSE(app_.warnings().contains("WATER_MURKY")) << "nothing is known of the water";
   Tell(high);
-  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, 3.0);
-  EXPECT_LT(link_.Last(topics::kWaterState)->sd, 1.2);
+  EXPECT_LT(link_.Last(topics::kWaterState)->visibility, Meters(3.0));
+  EXPECT_LT(link_.Last(topics::kWaterState)->sd, Meters(1.2));
   EXPECT_TRUE(app_.warnings().contains("WATER_MURKY"));
   ReportLines lines;
   app_.Report(lines);

@@ -45,7 +45,7 @@ SessionMemory Sample() {
   memory.frames = {frame, Frame(13)};
   memory.map = {{"map/-1_0.ot.gz", std::string("\0gz", 3)}, {"map/0_0.ot.gz", "ground"}};
   memory.water = WaterRecord{.visibility = 3.5,
-                             .estimate = {.visibility = 3.1, .sd = 1.4},
+                             .estimate = {.visibility = Meters(3.1), .sd = Meters(1.4)},
                              .contrasts = {{.from = 3.75, .clear = 2, .log_contrast = -4.25}}};
   memory.mission["mission.moos"] = "Community = alpha\n";
   return memory;
@@ -100,8 +100,8 @@ TEST(SessionMemory, ReadsTheFramesOfSessionsThatCallThemSights) {
 
 TEST(SessionPrior, TellsHowFarTheSessionSawIfItSaidSo) {
   SessionMemory memory = Sample();
-  EXPECT_EQ(PriorOf({}, memory).water->visibility, 3.1);
-  EXPECT_EQ(PriorOf({}, memory).water->sd, 1.4);
+  EXPECT_EQ(PriorOf({}, memory).water->visibility, Meters(3.1));
+  EXPECT_EQ(PriorOf({}, memory).water->sd, Meters(1.4));
   memory.water.reset();  // an older session
   EXPECT_FALSE(PriorOf({}, memory).water);
 }

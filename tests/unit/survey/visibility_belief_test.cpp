@@ -14,7 +14,7 @@ namespace {
 constexpr double kAny = 100.0;  ///< of evidence, so much that nothing is cut off
 
 TEST(VisibilityBelief, StartsFromWhatWasExpected) {
-  const VisibilityEstimate start = VisibilityBelief(Meters(8.0), 2.0).estimate();
+  const WaterVisibility start = VisibilityBelief(Meters(8.0), 2.0).estimate();
   EXPECT_NEAR(start.visibility.value(), 8.0, 0.6);
   EXPECT_GT(start.sd.value(), 4.0);
   EXPECT_NEAR(VisibilityBelief(Meters(8.0), 2.0).chances().sum(), 1.0, 1e-12);
@@ -42,8 +42,8 @@ TEST(VisibilityBelief, GivesNoSinglePieceOfEvidenceMoreThanItsBound) {
 
 /// Boxes of objects at ranges around the reach of sight, drawn from a detector that reaches
 /// `reach_factor` times as far as the model has it and fades `fade_factor` times as wide.
-VisibilityEstimate EstimateIn(double visibility, double reach_factor, double fade_factor,
-                              Random& random) {
+WaterVisibility EstimateIn(double visibility, double reach_factor, double fade_factor,
+                           Random& random) {
   const DetectionModel model;
   VisibilityBelief belief(Meters(8.0), 2.0);
   for (int i = 0; i < 40; ++i) {
@@ -68,7 +68,7 @@ TEST(VisibilityBeliefProperties, FindsTheVisibilityWithinItsSigmaWhenTheDetector
     const double visibility = 1.5 * std::pow(8.0, random.Uniform(0.0, 1.0));
     const double reach = std::pow(1.4, random.Uniform(-1.0, 1.0));
     const double fade = std::pow(2.0, random.Uniform(-1.0, 1.0));
-    const VisibilityEstimate found = EstimateIn(visibility, reach, fade, random);
+    const WaterVisibility found = EstimateIn(visibility, reach, fade, random);
     const double error = std::log(found.visibility.value() / visibility);
     const double sigma = found.sd.value() / found.visibility.value();
     squares += error * error / (sigma * sigma);
@@ -80,7 +80,7 @@ TEST(VisibilityBeliefProperties, FindsTheVisibilityWithinItsSigmaWhenTheDetector
 TEST(VisibilityBeliefProperties, ErrsByLessThanThreeSigmaWhenTheDetectorReachesTwiceAsFar) {
   Random random(31);
   for (const double reach : {0.5, 2.0}) {
-    const VisibilityEstimate found = EstimateIn(4.0, reach, 1.0, random);
+    const WaterVisibility found = EstimateIn(4.0, reach, 1.0, random);
     const double error = std::log(found.visibility.value() / 4.0);
     EXPECT_LT(std::abs(error), 3.0 * found.sd.value() / found.visibility.value()) << reach;
   }

@@ -97,11 +97,11 @@ class Maker {
     }
     out.map_parameters = {{"camera_width_px", "640"}, {Word(), Word()}};
     out.former.joint_cov_W = Symmetric(static_cast<Eigen::Index>(3 * out.former.objects.size()));
-    out.water = WaterVisibility{.visibility = Real(), .sd = Real()};
+    out.water = WaterVisibility{.visibility = Meters(Real()), .sd = Meters(Real())};
   }
   void Fill(WaterRecord& out) {
     out = {.visibility = Real(),
-           .estimate = {.visibility = Real(), .sd = Real()},
+           .estimate = {.visibility = Meters(Real()), .sd = Meters(Real())},
            .contrasts = {{.from = Real(), .clear = 1, .log_contrast = Real()}}};
   }
   void Fill(HelmPath& out) {
