@@ -50,19 +50,6 @@ std::string WhyLost(const BiddenOption& option, const HelmBids& bids, std::size_
                      is_all_of_it ? "by" : "most by", most.behavior);
 }
 
-ExplainedOption Explained(const BiddenOption& option) {
-  const WeightedBid* veto = VetoOn(option);
-  return {.source = option.source,
-          .length = option.length,
-          .end = option.end,
-          .total = option.total,
-          .rate = option.rate,
-          .rate_length = RateLengthOf(option),
-          .vetoed_by = veto == nullptr ? std::nullopt : std::optional(veto->behavior),
-          .lost_because = {},
-          .bids = option.bids};
-}
-
 }  // namespace
 
 Explanation Explain(const LoggedDecision& decision, std::optional<LoggedMotion> motion) {
@@ -77,12 +64,11 @@ Explanation Explain(const LoggedDecision& decision, std::optional<LoggedMotion> 
                           .flips = FlipsOf(bids),
                           .motion = std::move(motion)};
   for (std::size_t i = 0; i < bids.options.size(); ++i) {
-    ExplainedOption option = Explained(bids.options[i]);
-    if (const WeightedBid* veto = VetoOn(bids.options[i])) {
+    ExplainedOption option{.bidden = bids.options[i], .lost_because = {}};
+    if (const WeightedBid* veto = VetoOn(option.bidden)) {
       option.lost_because = fmt::format("vetoed by {}: {}", veto->behavior, WhyText(veto->bid));
     } else if (explanation.chosen && i != *explanation.chosen) {
-      option.lost_because =
-          WhyLost(bids.options[i], bids, *explanation.chosen, explanation.bidders);
+      option.lost_because = WhyLost(option.bidden, bids, *explanation.chosen, explanation.bidders);
     }
     explanation.options.push_back(std::move(option));
   }
@@ -93,7 +79,7 @@ std::string SummaryOf(const Explanation& explanation) {
   if (!explanation.chosen) {
     return fmt::format("nothing, of {} options", explanation.options.size());
   }
-  const ExplainedOption& chosen = explanation.options[*explanation.chosen];
+  const BiddenOption& chosen = explanation.options[*explanation.chosen].bidden;
   return fmt::format("{}, {:.1f} m, {:.3g} per metre, of {} options", chosen.source, chosen.length,
                      chosen.rate, explanation.options.size());
 }

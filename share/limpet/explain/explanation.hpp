@@ -3,7 +3,6 @@
 // page in a browser.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,16 +12,10 @@
 
 namespace limpet {
 
+/// An option as the helm had it, and what became of it.
 struct ExplainedOption {
-  std::string source;
-  double length = 0.0;          ///< [m]
-  std::array<double, 2> end{};  ///< north, east [m]
-  double total = 0.0;           ///< sum of values times weights
-  double rate = 0.0;            ///< total per metre of `rate_length`
-  double rate_length = 0.0;     ///< [m]
-  std::optional<std::string> vetoed_by;
+  BiddenOption bidden;
   std::string lost_because;  ///< empty for the one that was chosen
-  std::vector<WeightedBid> bids;
 };
 struct Explanation {
   double time = 0.0;  ///< as LoggedDecision has it [s]

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limpet/decision/merit.hpp"
+
 namespace limpet {
 namespace {
 
@@ -26,7 +28,9 @@ Json Built(const WeightedBid& weighted) {
           {"why", why}};
 }
 
-Json Built(const ExplainedOption& option) {
+Json Built(const ExplainedOption& explained) {
+  const BiddenOption& option = explained.bidden;
+  const WeightedBid* veto = VetoOn(option);
   Json bids = Json::array();
   for (const WeightedBid& bid : option.bids) {
     bids.push_back(Built(bid));
@@ -36,9 +40,9 @@ Json Built(const ExplainedOption& option) {
           {"end_ned_m", option.end},
           {"total", option.total},
           {"rate", option.rate},
-          {"rate_length_m", option.rate_length},
-          {"vetoed_by", OrNull(option.vetoed_by)},
-          {"lost_because", option.lost_because},
+          {"rate_length_m", RateLengthOf(option)},
+          {"vetoed_by", veto == nullptr ? Json(nullptr) : Json(veto->behavior)},
+          {"lost_because", explained.lost_because},
           {"bids", bids}};
 }
 

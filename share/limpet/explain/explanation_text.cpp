@@ -10,6 +10,7 @@
 #include "limpet/console/shown_text.hpp"
 #include "limpet/core/decimal_text.hpp"
 #include "limpet/decision/deciding_bid.hpp"
+#include "limpet/decision/merit.hpp"
 #include "limpet/explain/motion_difference.hpp"
 
 namespace limpet {
@@ -48,15 +49,10 @@ class NumberColumn {
   std::string head_;
 };
 
-const WeightedBid* BidBy(const ExplainedOption& option, const std::string& behavior) {
-  const auto found = std::ranges::find(option.bids, behavior, &WeightedBid::behavior);
-  return found == option.bids.end() ? nullptr : &*found;
-}
-
 /// `cover x 1`, by the first option on which it bid.
 std::string HeadOf(const std::string& behavior, const Explanation& explanation) {
   for (const ExplainedOption& option : explanation.options) {
-    if (const WeightedBid* bid = BidBy(option, behavior)) {
+    if (const WeightedBid* bid = BidOf(option.bidden, behavior)) {
       return fmt::format("{} x {}", Shown(behavior), DecimalText(bid->weight, 3));
     }
   }
@@ -76,26 +72,26 @@ Frame OptionTable(const Explanation& explanation) {
   heads.emplace_back("lost because");
   TextTable table(heads);
   for (std::size_t i = 0; i < explanation.options.size(); ++i) {
-    const ExplainedOption& option = explanation.options[i];
+    const BiddenOption& option = explanation.options[i].bidden;
     const bool is_chosen = explanation.chosen == i;
-    const Ink ink = is_chosen ? Ink::kGood : option.vetoed_by ? Ink::kFaint : Ink::kPlain;
+    const Ink ink = is_chosen ? Ink::kGood : VetoOn(option) != nullptr ? Ink::kFaint : Ink::kPlain;
     std::vector<Cell> row{{is_chosen ? "->" : "  ", ink},
                           {fmt::format("{:>2} {}", i, Shown(option.source)), ink},
                           {length.Of(option.length, 1), ink},
                           {total.Of(option.total, 2), ink},
                           {rate.Of(option.rate, 3), ink}};
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const WeightedBid* bid = BidBy(option, explanation.bidders[column]);
+      const WeightedBid* bid = BidOf(option, explanation.bidders[column]);
       row.push_back(
           {bid == nullptr ? columns[column].None() : columns[column].Of(bid->Worth(), 2), ink});
     }
-    row.push_back({OneLine(option.lost_because, 90), ink});
+    row.push_back({OneLine(explanation.options[i].lost_because, 90), ink});
     table.Add(std::move(row));
   }
   return table.Lines();
 }
 
-Frame Reasons(const ExplainedOption& chosen) {
+Frame Reasons(const BiddenOption& chosen) {
   TextTable table({"  what bids on it say", "", ""});
   for (const WeightedBid& weighted : chosen.bids) {
     std::string parts;
@@ -134,7 +130,7 @@ Frame FlipTable(const Explanation& explanation) {
     table.Add({{"  " + Shown(behavior)},
                {fmt::format("pwt {} or {}", ShownWeight(*flip), is_more ? "more" : "less")},
                {fmt::format("(is {}): then {} {}", DecimalText(flip->weight, 3), flip->to,
-                            Shown(explanation.options[flip->to].source))}});
+                            Shown(explanation.options[flip->to].bidden.source))}});
   }
   return table.Lines();
 }
@@ -188,7 +184,7 @@ Frame FrameOf(const Explanation& explanation) {
   Append(OptionTable(explanation), frame);
   if (explanation.chosen) {
     frame.emplace_back();
-    Append(Reasons(explanation.options[*explanation.chosen]), frame);
+    Append(Reasons(explanation.options[*explanation.chosen].bidden), frame);
     frame.emplace_back();
     Append(FlipTable(explanation), frame);
   } else {

@@ -46,7 +46,6 @@ TEST(Explanation, SaysWhyEachOptionLost) {
   EXPECT_EQ(explanation.options[0].lost_because, "");
   EXPECT_EQ(explanation.options[1].lost_because, "0.2 less per metre, most by cover");
   EXPECT_EQ(explanation.options[2].lost_because, "vetoed by region: leaves the operating region");
-  EXPECT_EQ(explanation.options[2].vetoed_by, "region");
 }
 
 TEST(Explanation, SaysThatOfEqualsTheFirstOfferWon) {
@@ -56,7 +55,7 @@ TEST(Explanation, SaysThatOfEqualsTheFirstOfferWon) {
 }
 
 TEST(Explanation, HasTheReasonsOfEachBid) {
-  const Bid bid = Explain(SurveyDecision()).options[0].bids[0].bid;
+  const Bid bid = Explain(SurveyDecision()).options[0].bidden.bids[0].bid;
   ASSERT_EQ(bid.why.size(), 2U);
   EXPECT_EQ(bid.why[0].name, "useful");
   EXPECT_EQ(bid.why[0].value, 18.0);
@@ -77,6 +76,8 @@ TEST(Explanation, AsJsonIsAllThatOneNeedsToDecideAgain) {
     EXPECT_EQ(option.at("rate"), total / option.at("rate_length_m").get<double>());
     EXPECT_EQ(option.at("rate_length_m"), option.at("length_m"));
   }
+  EXPECT_EQ(json.at("options").at(2).at("vetoed_by"), "region");
+  EXPECT_TRUE(json.at("options").at(0).at("vetoed_by").is_null());
   EXPECT_EQ(json.at("options").at(2).at("bids").at(1).at("veto"), "leaves the operating region");
   EXPECT_TRUE(json.at("options").at(0).at("bids").at(0).at("veto").is_null());
   EXPECT_EQ(json.at("options").at(0).at("bids").at(0).at("why").at("useful"), 18.0);
