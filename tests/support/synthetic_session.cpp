@@ -74,7 +74,7 @@ GridDelta DeltaAt(const Point& p, std::vector<float>& seen) {
       if (static_cast<float>(std::min(height, 2.0)) <= seen[cell]) continue;
       seen[cell] = static_cast<float>(std::min(height, 2.0));
       delta.cells.push_back(
-          {static_cast<std::uint32_t>(cell), seen[cell], static_cast<float>(down)});
+          {static_cast<std::uint32_t>(cell), {seen[cell], static_cast<float>(down)}});
     }
   }
   return delta;

@@ -96,7 +96,7 @@ Figure ChangeFigure(const FigureSource& source) {
               RunName(source) + " \u00b7 against " + source.score.former +
                   ", with the probability of what was decided");
   map.BeginMap();
-  map.Raster(record.grid, [](const GridRecord::Cell&) { return palette::Rgb{246, 249, 250}; });
+  map.Raster(record.grid, [](const SeenCell&) { return palette::Rgb{246, 249, 250}; });
   map.Outline(area);
   if (source.score.has_truth) DrawTruthOfBoth(map, source);
   for (const ChangeScore& change : opis.changes)

@@ -21,7 +21,7 @@ struct DepthRange {
 /// The middle 99 % of the depths, widened to half a metre at least: a flat bottom must look flat.
 DepthRange RangeOf(const GridRecord& grid) {
   std::vector<double> depths;
-  grid.EachSeen([&depths](int, int, const GridRecord::Cell& cell) {
+  grid.EachSeen([&depths](int, int, const SeenCell& cell) {
     depths.push_back(static_cast<double>(cell.seabed_down));
   });
   if (depths.empty()) return {};
@@ -40,7 +40,7 @@ struct DepthError {
 
 DepthError ErrorOf(const GridRecord& grid, const Seabed& seabed) {
   double sum = 0.0, squares = 0.0, count = 0.0;
-  grid.EachSeen([&](int row, int column, const GridRecord::Cell& cell) {
+  grid.EachSeen([&](int row, int column, const SeenCell& cell) {
     const double truth = seabed.Depth(grid.frame.north_min + (row + 0.5) * grid.frame.cell_m,
                                       grid.frame.east_min + (column + 0.5) * grid.frame.cell_m);
     const double error = static_cast<double>(cell.seabed_down) - truth;
@@ -67,7 +67,7 @@ Figure DepthFigure(const FigureSource& source) {
   MapAxes map(area, TitleOfDepths(source),
               RunName(source) + " \u00b7 from the DVL\u2019s four beams");
   map.BeginMap();
-  map.Raster(grid, [&](const GridRecord::Cell& cell) {
+  map.Raster(grid, [&](const SeenCell& cell) {
     const double share = range.ShareOf(static_cast<double>(cell.seabed_down));
     return palette::Viridis(std::round((1.0 - share) * 200.0) / 200.0);  // shallow is bright
   });

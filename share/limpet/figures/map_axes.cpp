@@ -67,8 +67,7 @@ void MapAxes::DrawFrame(const std::string& title, const std::string& subtitle) {
 }
 
 void MapAxes::Raster(const GridRecord& grid,
-                     const std::function<palette::Rgb(const GridRecord::Cell&)>& color,
-                     double opacity) {
+                     const std::function<palette::Rgb(const SeenCell&)>& color, double opacity) {
   const GridFrame& frame = grid.frame;
   if (frame.rows <= 0 || frame.columns <= 0) return;
   // Of an area too large for a pixel per cell, one cell of each square stands for it.
@@ -77,7 +76,7 @@ void MapAxes::Raster(const GridRecord& grid,
   RgbaImage raster{(frame.columns + step - 1) / step, (frame.rows + step - 1) / step, {}};
   for (int line = raster.height - 1; line >= 0; --line) {  // a picture's lines start in the north
     for (int pixel = 0; pixel < raster.width; ++pixel) {
-      const GridRecord::Cell& cell = grid.cells.At(line * step, pixel * step);
+      const SeenCell& cell = grid.cells.At(line * step, pixel * step);
       raster.pixels.push_back(cell.is_in_sight() ? Opaque(color(cell)) : RgbaImage::Pixel{});
     }
   }

@@ -26,8 +26,7 @@ class MapAxes {
   [[nodiscard]] SvgCanvas& canvas() { return canvas_; }
 
   /// Colours one pixel per cell of `grid` where it was seen; `color` gets the cell's index.
-  void Raster(const GridRecord& grid,
-              const std::function<palette::Rgb(const GridRecord::Cell&)>& color,
+  void Raster(const GridRecord& grid, const std::function<palette::Rgb(const SeenCell&)>& color,
               double opacity = 1.0);
   /// The outline of the area to survey.
   void Outline(const SurveyArea& area);

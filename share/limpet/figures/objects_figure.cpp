@@ -136,7 +136,7 @@ Figure ObjectsFigure(const FigureSource& source) {
   map.BeginMap();
   map.Raster(
       record.grid,
-      [&](const GridRecord::Cell& cell) {
+      [&](const SeenCell& cell) {
         const double top = std::max(area.object_height_max, 0.1);
         const double share = std::clamp(static_cast<double>(cell.seen_height) / top, 0.0, 1.0);
         return palette::Coverage(std::round(share * 8.0) / 8.0);

@@ -219,7 +219,7 @@ Figure TrackFigure(const FigureSource& source) {
       fmt::format("{} \u00b7 image {:.2f} \u00d7 {:.2f} m on the bottom", RunName(source),
                   footprint[0], footprint[1]));
   map.BeginMap();
-  map.Raster(record.grid, [&](const GridRecord::Cell& cell) {
+  map.Raster(record.grid, [&](const SeenCell& cell) {
     return HeightColor(static_cast<double>(cell.seen_height), area.object_height_max);
   });
   map.Outline(area);

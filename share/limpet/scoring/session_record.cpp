@@ -217,21 +217,19 @@ void GridRecord::Apply(const GridDelta& delta) {
   if (delta.frame.rows <= 0 || delta.frame.columns <= 0) return;
   if (!IsSame(frame, delta.frame)) {
     frame = delta.frame;
-    cells = TileGrid<Cell>(frame.rows, frame.columns);
+    cells = TileGrid<SeenCell>(frame.rows, frame.columns);
   }
   const auto columns = static_cast<std::uint32_t>(frame.columns);
   for (const GridDelta::Cell& cell : delta.cells) {
     const std::uint32_t row = cell.index / columns, column = cell.index % columns;
     if (row >= static_cast<std::uint32_t>(frame.rows)) continue;
-    cells.Write(static_cast<int>(row), static_cast<int>(column)) = {.seen_height = cell.seen_height,
-                                                                    .seabed_down = cell.seabed_down,
-                                                                    .seen_floor = cell.seen_floor};
+    cells.Write(static_cast<int>(row), static_cast<int>(column)) = cell.now;
   }
 }
 
 double GridRecord::SeenFloor() const {
   std::vector<float> floors;
-  EachSeen([&floors](int, int, const Cell& cell) { floors.push_back(cell.seen_floor); });
+  EachSeen([&floors](int, int, const SeenCell& cell) { floors.push_back(cell.seen_floor); });
   if (floors.empty()) return 0.0;
   return static_cast<double>(UpperMedian(std::move(floors)));
 }
@@ -239,7 +237,7 @@ double GridRecord::SeenFloor() const {
 bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {
   const std::optional<GridPlace> place = GridPlaceOf(frame, p_W.x(), p_W.y());
   if (!place) return false;
-  const Cell& cell = cells.At(place->row, place->column);
+  const SeenCell& cell = cells.At(place->row, place->column);
   const double height = static_cast<double>(cell.seabed_down) - p_W.z();
   return cell.is_in_sight() && height >= static_cast<double>(cell.seen_floor) &&
          height <= static_cast<double>(cell.seen_height);

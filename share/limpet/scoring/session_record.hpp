@@ -23,23 +23,14 @@ namespace limpet {
 
 /// The survey grid as it was at the end of the session; what was never seen takes no room.
 struct GridRecord {
-  struct Cell {
-    float seen_height = -1.0F;  ///< greatest height seen [m]; -1 where never seen
-    float seabed_down = 0.0F;   ///< [m]; meaningful where seen
-    float seen_floor = 0.0F;    ///< lowest height in sight [m]; meaningful where seen
-    /// True if anything of the cell was inside an image and in sight.
-    [[nodiscard]] bool is_in_sight() const {
-      return seen_height >= 0.0F && seen_floor <= seen_height;
-    }
-  };
   GridFrame frame;
-  TileGrid<Cell> cells{1, 1};  ///< as many as the frame says, once it is known
+  TileGrid<SeenCell> cells{1, 1};  ///< as many as the frame says, once it is known
 
   void Apply(const GridDelta& delta);
   /// Calls visit(row, column, cell) for each cell that was inside an image.
   template <class Visit>
   void EachSeen(Visit visit) const {
-    cells.EachCell([&visit](int row, int column, const Cell& cell) {
+    cells.EachCell([&visit](int row, int column, const SeenCell& cell) {
       if (cell.seen_height >= 0.0F) visit(row, column, cell);
     });
   }

@@ -251,10 +251,9 @@ void SurveyGrid::SortChanges(std::size_t from) {
 }
 
 GridDelta::Cell SurveyGrid::ChangeOf(std::uint32_t index, const Cell& cell) {
-  return {.index = index,
-          .seen_height = cell.seen,
-          .seabed_down = cell.seabed,
-          .seen_floor = FloorOf(cell)};
+  return {
+      .index = index,
+      .now = {.seen_height = cell.seen, .seabed_down = cell.seabed, .seen_floor = FloorOf(cell)}};
 }
 
 GridDelta SurveyGrid::TakeDelta() {
@@ -296,11 +295,11 @@ bool SurveyGrid::Apply(const GridDelta& delta) {
   }
   for (const GridDelta::Cell& change : delta.cells) {
     const Place at = PlaceOf(change.index);
-    at.cell.seabed = change.seabed_down;
+    at.cell.seabed = change.now.seabed_down;
     at.cell.seabed_source = SeabedSource::kBeam;
     at.cell.beam_count = kMostBeamWeight;
-    at.cell.seen = change.seen_height >= 0.0F ? change.seen_height : kNeverSeen;
-    at.cell.floor = FloorSteps(change.seen_floor);
+    at.cell.seen = change.now.seen_height >= 0.0F ? change.now.seen_height : kNeverSeen;
+    at.cell.floor = FloorSteps(change.now.seen_floor);
     MarkStale(at);
   }
   return true;

@@ -63,9 +63,9 @@ Value TopicCodec<GridDelta>::Encode(const GridDelta& delta) {
   out.Zeros(8);
   for (const GridDelta::Cell& cell : delta.cells) {
     out.Put(cell.index);
-    out.Put(cell.seen_height);
-    out.Put(cell.seabed_down);
-    out.Put(cell.seen_floor);
+    out.Put(cell.now.seen_height);
+    out.Put(cell.now.seabed_down);
+    out.Put(cell.now.seen_floor);
   }
   return out.Take();
 }
@@ -94,10 +94,10 @@ std::optional<GridDelta> TopicCodec<GridDelta>::Decode(const Value& value) {
   delta.cells.resize(count);
   for (GridDelta::Cell& cell : delta.cells) {
     in.Get(cell.index);
-    in.Get(cell.seen_height);
-    in.Get(cell.seabed_down);
+    in.Get(cell.now.seen_height);
+    in.Get(cell.now.seabed_down);
     if (has_floors) {
-      in.Get(cell.seen_floor);
+      in.Get(cell.now.seen_floor);
     }
     if (cell.index >= std::uint64_t{rows} * columns) {
       return std::nullopt;

@@ -29,17 +29,27 @@ struct GridFrame {
   int columns = 0;  ///< along east
 };
 
-/// Cells that changed since the last message, as they are now. `seen_height` is the greatest height
-/// above the seabed up to which the cell has been inside the image [m]: 0 is "bottom only", absent
-/// cells never were, and negative ones were not after all, because the track turned out to lie
-/// elsewhere. Of that, what lies below `seen_floor` was out of reach in this water.
+/// What has been seen of a cell of the grid. `seen_height` is the greatest height above the seabed
+/// up to which it has been inside the image [m]: 0 is "bottom only", a negative one says never, and
+/// that the rest means nothing. Of that, what lies below `seen_floor` was out of reach in this
+/// water.
+struct SeenCell {
+  float seen_height = -1.0F;
+  float seabed_down = 0.0F;  ///< NED depth of the seabed here [m], from the DVL beams near by
+  float seen_floor = 0.0F;   ///< height above the seabed [m]; 0: the bottom was in sight
+  /// True if anything of the cell was inside an image and in sight.
+  [[nodiscard]] bool is_in_sight() const {
+    return seen_height >= 0.0F && seen_floor <= seen_height;
+  }
+};
+
+/// Cells that changed since the last message, as they are now: some were not seen after all,
+/// because the track turned out to lie elsewhere.
 struct GridDelta {
   GridFrame frame;
   struct Cell {
     std::uint32_t index = 0;
-    float seen_height = 0.0F;
-    float seabed_down = 0.0F;  ///< NED depth of the seabed here [m], from the DVL beams near by
-    float seen_floor = 0.0F;   ///< height above the seabed [m]; 0: the bottom was in sight
+    SeenCell now;
   };
   std::vector<Cell> cells;
 };

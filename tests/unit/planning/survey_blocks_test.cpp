@@ -26,8 +26,7 @@ void ShowAll(SurveyGrid& grid, const CellBox& block) {
     for (int column = block.column_min; column <= block.column_max; ++column) {
       delta.cells.push_back(
           {.index = static_cast<std::uint32_t>(row * grid.frame().columns + column),
-           .seen_height = 1.0F,
-           .seabed_down = 14.0F});
+           .now = {.seen_height = 1.0F, .seabed_down = 14.0F}});
     }
   }
   ASSERT_TRUE(grid.Apply(delta));

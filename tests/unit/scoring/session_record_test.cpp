@@ -93,10 +93,10 @@ TEST(SessionRecord, NotesAPhaseOnceHoweverOftenItIsRepeated) {
 TEST(SessionRecord, AddsUpTheGridFromItsChanges) {
   GridDelta delta;
   delta.frame = {0.0, 0.0, 0.25, 2, 2};
-  delta.cells = {{1, 0.5F, 7.5F}};
+  delta.cells = {{1, {0.5F, 7.5F}}};
   SessionRecord record("discovery");
   record.Collect(MessageOf(topics::kMapDelta, 0.0, delta));
-  delta.cells = {{2, 1.0F, 7.4F}};
+  delta.cells = {{2, {1.0F, 7.4F}}};
   record.Collect(MessageOf(topics::kMapDelta, 1.0, delta));
   EXPECT_EQ(record.grid.cells.At(0, 0).seen_height, -1.0F);
   EXPECT_EQ(record.grid.cells.At(0, 1).seen_height, 0.5F);
@@ -107,11 +107,11 @@ TEST(SessionRecord, AddsUpTheGridFromItsChanges) {
 TEST(SessionRecord, IgnoresACellOutsideTheGrid) {
   GridDelta delta;
   delta.frame = {0.0, 0.0, 0.25, 2, 2};
-  delta.cells = {{99, 0.5F, 7.5F}};
+  delta.cells = {{99, {0.5F, 7.5F}}};
   SessionRecord record("discovery");
   record.Collect(MessageOf(topics::kMapDelta, 0.0, delta));
   int seen = 0;
-  record.grid.EachSeen([&seen](int, int, const GridRecord::Cell&) { ++seen; });
+  record.grid.EachSeen([&seen](int, int, const SeenCell&) { ++seen; });
   EXPECT_EQ(seen, 0);
 }
 

@@ -35,38 +35,40 @@ TEST(BinaryTopic, HasTheHeaderItsCommentPromises) {
 TEST(BinaryTopic, BringsBackAGridDelta) {
   GridDelta sent;
   sent.frame = {.north_min = -15.0, .east_min = -18.0, .cell_m = 0.25, .rows = 120, .columns = 144};
-  sent.cells = {{.index = 17279, .seen_height = 2.0F, .seabed_down = 7.5F}};
+  sent.cells = {{.index = 17279, .now = {.seen_height = 2.0F, .seabed_down = 7.5F}}};
   const auto back = RoundTrip(sent);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->frame.columns, 144);
-  EXPECT_EQ(back->cells.at(0).seabed_down, 7.5F);
+  EXPECT_EQ(back->cells.at(0).now.seabed_down, 7.5F);
 }
 
 TEST(BinaryTopic, BringsBackWhatWasOutOfSight) {
   GridDelta sent;
   sent.frame = {.cell_m = 0.25, .rows = 1, .columns = 1};
-  sent.cells = {{.index = 0, .seen_height = 2.0F, .seabed_down = 7.5F, .seen_floor = 1.2F}};
-  EXPECT_EQ(RoundTrip(sent)->cells.at(0).seen_floor, 1.2F);
+  sent.cells = {
+      {.index = 0, .now = {.seen_height = 2.0F, .seabed_down = 7.5F, .seen_floor = 1.2F}}};
+  EXPECT_EQ(RoundTrip(sent)->cells.at(0).now.seen_floor, 1.2F);
 }
 
 TEST(BinaryTopic, ReadsAGridDeltaOfAnOlderLog) {
   GridDelta sent;
   sent.frame = {.cell_m = 0.25, .rows = 1, .columns = 1};
-  sent.cells = {{.index = 0, .seen_height = 2.0F, .seabed_down = 7.5F, .seen_floor = 1.2F}};
+  sent.cells = {
+      {.index = 0, .now = {.seen_height = 2.0F, .seabed_down = 7.5F, .seen_floor = 1.2F}}};
   Binary bytes = std::get<Binary>(TopicCodec<GridDelta>::Encode(sent));
   bytes[3] = std::byte{'1'};  // LGD1 had no floors
   bytes.resize(bytes.size() - sizeof(float));
   const auto back = TopicCodec<GridDelta>::Decode(bytes);
   ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(back->cells.at(0).seabed_down, 7.5F);
-  EXPECT_EQ(back->cells.at(0).seen_floor, 0.0F);
+  EXPECT_EQ(back->cells.at(0).now.seabed_down, 7.5F);
+  EXPECT_EQ(back->cells.at(0).now.seen_floor, 0.0F);
 }
 
 TEST(BinaryTopic, RefusesACellOutsideTheGrid) {
   GridDelta sent;
   sent.frame.rows = 2;
   sent.frame.columns = 2;
-  sent.cells = {{.index = 4, .seen_height = 0.0F, .seabed_down = 0.0F}};
+  sent.cells = {{.index = 4, .now = {.seen_height = 0.0F, .seabed_down = 0.0F}}};
   EXPECT_FALSE(RoundTrip(sent).has_value());
 }
 
