@@ -41,7 +41,7 @@ std::optional<AxisOffset> OffsetAlong(const CameraModel& camera, const Eigen::Ve
   const SphereExtent expected = ExtentOfSphere(camera, p_C, radius, axis);
   const double size = expected.high - expected.low;
   if (!box.is_cut()) return AxisOffset{seen.reading.centre_px(axis) - expected.centre, size};
-  const BoxEnd end{.axis = axis, .side = box.is_low_cut ? 1 : -1};
+  const BoxEnd end{.axis = axis, .side = box.is_low_cut ? BoxSide::kHigh : BoxSide::kLow};
   const double of_whole = box.is_low_cut ? expected.high : expected.low;
   return AxisOffset{box.shown_end() - ShownEdge(camera, p_C, radius, end, of_whole), size};
 }

@@ -47,19 +47,20 @@ struct TangentAngle {
   double angle, by_along, by_ahead, by_radius;
 };
 
-std::optional<TangentAngle> TangentTo(const PlaneCircle& circle, int side) {
+std::optional<TangentAngle> TangentTo(const PlaneCircle& circle, BoxSide side) {
+  const double sign = side == BoxSide::kHigh ? 1.0 : -1.0;
   const double distance = std::hypot(circle.along, circle.ahead);
   if (distance <= kNotInside * circle.radius) return std::nullopt;
   const double squared = distance * distance;
   const double tangent = std::sqrt(squared - circle.radius * circle.radius);
   const double angle =
-      std::atan2(circle.along, circle.ahead) + side * std::asin(circle.radius / distance);
+      std::atan2(circle.along, circle.ahead) + sign * std::asin(circle.radius / distance);
   if (std::abs(angle) >= kWidest) return std::nullopt;
-  const double half_per_metre = -side * circle.radius / (squared * tangent);
+  const double half_per_metre = -sign * circle.radius / (squared * tangent);
   return TangentAngle{.angle = angle,
                       .by_along = circle.ahead / squared + half_per_metre * circle.along,
                       .by_ahead = -circle.along / squared + half_per_metre * circle.ahead,
-                      .by_radius = side / tangent};
+                      .by_radius = sign / tangent};
 }
 
 /// Of the sphere as if the image had no border: its outline's extreme is in the plane of its

@@ -9,10 +9,12 @@
 
 namespace limpet {
 
-/// One end of a box in an image: along u (0) or v (1), its lower (-1) or upper (1) one.
+enum class BoxSide { kLow, kHigh };
+
+/// One end of a box in an image. `axis` is the index that a point has along it: 0 for u, 1 for v.
 struct BoxEnd {
   int axis = 0;
-  int side = 1;
+  BoxSide side = BoxSide::kHigh;
 };
 
 /// Where the image of a sphere ends, with the derivatives by its centre and its size.

@@ -37,16 +37,17 @@ class CutAxisFactor : public CameraFactor<CutAxisFactor, 2> {
     J_size.setZero();
     Residual r = Residual::Zero();
     const double radius = radius_ * std::exp(log_size);
-    for (const int row : {0, 1}) {
-      const int side = row == 0 ? -1 : 1;
-      const bool is_cut = row == 0 ? seen_.box.is_low_cut : seen_.box.is_high_cut;
+    for (const BoxSide side : {BoxSide::kLow, BoxSide::kHigh}) {
+      const bool is_low = side == BoxSide::kLow;
+      const int row = is_low ? 0 : 1;
+      const bool is_cut = is_low ? seen_.box.is_low_cut : seen_.box.is_high_cut;
       const auto edge = EdgeOfSphere(camera(), p_C, radius, {.axis = seen_.axis, .side = side});
       if (!edge) {
         r(row) = is_cut ? 0.0 : kLost_px / seen_.sigma_px;
         continue;
       }
-      const double off_px = edge->px - (row == 0 ? seen_.box.low : seen_.box.high);
-      const bool goes_on = is_cut && side * off_px >= 0.0;
+      const double off_px = edge->px - (is_low ? seen_.box.low : seen_.box.high);
+      const bool goes_on = is_cut && (is_low ? off_px <= 0.0 : off_px >= 0.0);
       if (goes_on) continue;
       r(row) = off_px / seen_.sigma_px;
       J_C.row(row) = edge->by_p_C / seen_.sigma_px;

@@ -77,14 +77,15 @@ TEST_P(SphereEdges, AreWhereTheShownOutlineEndsAlsoInACorner) {
     const ShownBox shown = ShownOutline(camera_, sphere);
     if (shown.is_empty()) continue;
     for (const int axis : {0, 1}) {
-      for (const int side : {-1, 1}) {
-        const double end = side < 0 ? shown.low(axis) : shown.high(axis);
+      for (const BoxSide side : {BoxSide::kLow, BoxSide::kHigh}) {
+        const bool is_low = side == BoxSide::kLow;
+        const double end = is_low ? shown.low(axis) : shown.high(axis);
         if (end < kMargin || end > SizeOf(axis) - kMargin) continue;
         const auto edge = EdgeOfSphere(camera_, sphere.p_C, sphere.radius, {axis, side});
         ASSERT_TRUE(edge) << sphere.p_C.transpose() << ", radius " << sphere.radius;
         // A mere tip has few of the points.
         EXPECT_NEAR(edge->px, end, 1.0) << sphere.p_C.transpose() << ", radius " << sphere.radius
-                                        << ", axis " << axis << ", side " << side;
+                                        << ", axis " << axis << (is_low ? ", low" : ", high");
         ++ends;
       }
     }
@@ -96,7 +97,7 @@ TEST_P(SphereEdges, MoveWithCentreAndSizeAsTheirDerivativesSay) {
   int checked = 0;
   for (int i = 0; i < 200; ++i) {
     const SphereInView sphere = DrawSphere();
-    const BoxEnd end{.axis = i % 2, .side = i % 4 < 2 ? -1 : 1};
+    const BoxEnd end{.axis = i % 2, .side = i % 4 < 2 ? BoxSide::kLow : BoxSide::kHigh};
     const auto at = [&](const Eigen::Vector3d& p_C, double log_size) {
       const auto edge = EdgeOfSphere(camera_, p_C, sphere.radius * std::exp(log_size), end);
       return Eigen::VectorXd::Constant(1, edge ? edge->px : 0.0);
@@ -122,7 +123,7 @@ TEST_P(SphereEdges, OfASphereAllInsideTheImageAreTheEndsOfItsExtent) {
   for (int i = 0; i < 200; ++i) {
     const SphereInView sphere = DrawSphere();
     for (const int axis : {0, 1}) {
-      const auto end_px = [&](int side) {
+      const auto end_px = [&](BoxSide side) {
         return EdgeOfSphere(camera_, sphere.p_C, sphere.radius, {axis, side}).value().px;
       };
       const SphereExtent u = ExtentOfSphere(camera_, sphere.p_C, sphere.radius, 0);
@@ -131,8 +132,8 @@ TEST_P(SphereEdges, OfASphereAllInsideTheImageAreTheEndsOfItsExtent) {
           u.low > 0.0 && v.low > 0.0 && u.high < camera_.width_px && v.high < camera_.height_px;
       if (!is_inside) continue;
       const SphereExtent& extent = axis == 0 ? u : v;
-      EXPECT_NEAR(extent.low, end_px(-1), 1e-9);
-      EXPECT_NEAR(extent.high, end_px(1), 1e-9);
+      EXPECT_NEAR(extent.low, end_px(BoxSide::kLow), 1e-9);
+      EXPECT_NEAR(extent.high, end_px(BoxSide::kHigh), 1e-9);
       EXPECT_TRUE(extent.low < extent.centre && extent.centre < extent.high);
       ++checked;
     }
@@ -144,8 +145,8 @@ INSTANTIATE_TEST_SUITE_P(Drawn, SphereEdges, ::testing::Range(1, 9));
 
 TEST(SphereEdge, IsNoneInsideTheSphereAndNearTheCamerasPlane) {
   const CameraModel camera;
-  EXPECT_FALSE(EdgeOfSphere(camera, {0.1, 0.0, 0.5}, 0.6, {.axis = 0, .side = 1}));
-  EXPECT_FALSE(EdgeOfSphere(camera, {9.0, 0.0, 0.5}, 0.6, {.axis = 0, .side = 1}));
+  EXPECT_FALSE(EdgeOfSphere(camera, {0.1, 0.0, 0.5}, 0.6, {.axis = 0, .side = BoxSide::kHigh}));
+  EXPECT_FALSE(EdgeOfSphere(camera, {9.0, 0.0, 0.5}, 0.6, {.axis = 0, .side = BoxSide::kHigh}));
 }
 
 TEST(SphereExtent, OfASphereAboutTheCameraGoesFarBeyondAnyImage) {
