@@ -14,12 +14,6 @@ using NavCovariance = Eigen::Matrix<double, 6, 6>;
 
 enum NavIndex { kNavX = 0, kNavY = 1, kNavZ = 2, kNavYaw = 3, kNavPitch = 4, kNavRoll = 5 };
 
-[[nodiscard]] inline NavVector NavVectorOf(const Pose& X_WB) {
-  NavVector x;
-  x << X_WB.p_WB, X_WB.yaw, X_WB.pitch, X_WB.roll;
-  return x;
-}
-
 [[nodiscard]] inline Pose PoseOf(const NavVector& x) {
   return {x.head<3>(), x(kNavRoll), x(kNavPitch), WrapAngle(x(kNavYaw))};
 }
