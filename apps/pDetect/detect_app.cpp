@@ -9,9 +9,9 @@
 #include "apps/pDetect/detect_block.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/config.hpp"
+#include "limpet/objects/color_table.hpp"
 #include "limpet/topics/chips.hpp"
 #include "limpet/vision/chip_cutter.hpp"
-#include "limpet/vision/color_table.hpp"
 #include "limpet/vision/ground_contrast.hpp"
 
 namespace limpet {

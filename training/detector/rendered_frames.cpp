@@ -12,7 +12,7 @@
 
 #include "limpet/core/random.hpp"
 #include "limpet/imaging/picture_renderer.hpp"
-#include "limpet/vision/color_table.hpp"
+#include "limpet/objects/color_table.hpp"
 
 namespace limpet {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "limpet/vision/color_table.hpp"
+#include "limpet/objects/color_table.hpp"
 
 namespace limpet {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "limpet/core/config.hpp"
 #include "limpet/core/folders_above.hpp"
-#include "limpet/vision/color_table.hpp"
+#include "limpet/objects/color_table.hpp"
 
 namespace limpet {
 namespace {

@@ -7,7 +7,7 @@
 #include "limpet/core/random.hpp"
 #include "limpet/imaging/solid_image.hpp"
 #include "limpet/imaging/tile_noise.hpp"
-#include "limpet/vision/color_table.hpp"
+#include "limpet/objects/color_table.hpp"
 #include "limpet/vision/water_optics.hpp"
 
 namespace limpet {

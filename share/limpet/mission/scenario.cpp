@@ -16,6 +16,7 @@
 #include "limpet/mission/source_text.hpp"
 #include "limpet/mission/yaml_list.hpp"
 #include "limpet/mission/yaml_reader.hpp"
+#include "limpet/objects/color_table.hpp"
 
 namespace limpet {
 namespace {
@@ -137,9 +138,7 @@ void ReadSessionPlace(YamlReader& in, const std::string& path, const std::string
 ScenarioOpi ReadOpi(YamlReader& in, const YAML::Node& node, const std::string& path) {
   ScenarioOpi opi;
   std::vector<YamlReader::Field> fields = {
-      internal::NameField(in, path, opi.name),
-      in.Choice(path, "color", opi.color,
-                {"yellow", "orange", "green", "red", "blue", "white", "black", "purple"}),
+      internal::NameField(in, path, opi.name), in.Choice(path, "color", opi.color, ColorNames()),
       in.Number(path, "radius_m", opi.radius_m, InRange(0.05, 5.0))};
   std::ranges::move(in.Declared(path, DescribeParams(opi.shape)), std::back_inserter(fields));
   std::ranges::move(in.Declared(path, DescribeParams(opi.motion)), std::back_inserter(fields));

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "limpet/core/params.hpp"
 #include "limpet/core/units.hpp"
+#include "limpet/objects/color_table.hpp"
 
 namespace limpet {
 
@@ -28,8 +31,9 @@ struct ObjectShapeParams {
           InRange(-360.0_deg, 360.0_deg));
     visit("tilt_deg", tilt, "How far it leans to the side that it faces; 90: it lies",
           InRange(0.0_deg, 180.0_deg));
-    visit.Choice("band", band, "Colour of the middle third of its height",
-                 {"none", "yellow", "orange", "green", "red", "blue", "white", "black", "purple"});
+    std::vector<std::string> bands = ColorNames();
+    bands.insert(bands.begin(), "none");
+    visit.Choice("band", band, "Colour of the middle third of its height", std::move(bands));
   }
   [[nodiscard]] bool is_plain() const { return shape == "sphere" && band == "none"; }
 };

@@ -8,7 +8,7 @@
 
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
-#include "limpet/vision/color_table.hpp"
+#include "limpet/objects/color_table.hpp"
 #include "limpet/vision/linear_row.hpp"
 #include "limpet/vision/seabed_relief.hpp"
 #include "limpet/vision/sphere.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The colours that objects of a survey may have: scenarios paint them in these, detectors name
+// their classes by them.
 #pragma once
 
 #include <array>

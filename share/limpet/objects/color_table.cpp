@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/vision/color_table.hpp"
+#include "limpet/objects/color_table.hpp"
 
 #include <algorithm>
 
