@@ -27,6 +27,9 @@ struct Growth {
 /// people lost. It lies where it lies for as long as the seed is the same, whoever looks.
 class Clutter {
  public:
+  /// Of all that lies there: what a scenario asks for (ImageParams::Clutter, whose defaults are
+  /// what a scenario says by saying nothing) and, as litter, what stands in for a detector's false
+  /// boxes.
   struct Density {
     double natural_per_m2 = 0.0;
     double litter_per_m2 = 0.0;

@@ -10,7 +10,9 @@
 
 namespace limpet {
 
-/// An object that a former session found.
+/// An object that a former session found, as far as a later one goes by it: where it was, and how
+/// surely. What that session decided of it (OpiBelief) is none of it: the status was about the
+/// session before, and a later one comes to its own.
 struct FormerObject {
   int id = 0;
   ObjectEstimate object;

@@ -16,8 +16,13 @@
 namespace limpet {
 namespace {
 
-constexpr double kViewDistance = 0.5;  ///< looks from nearer, or turned less, tell little more [m]
-constexpr double kViewTurn = 0.26;     ///< [rad]
+/// How far apart the frames that a session hands on are at most, unless nothing was seen between
+/// them: position [m], heading [rad]. What another look is, pMap's `new_look_distance_m` and
+/// `new_look_angle_deg` say (LookParams), and whoever judges the former session counts its looks by
+/// those of its mission, which are not known here. This is for the size of what is handed on alone,
+/// and a shade finer than their defaults, so that none of those looks is lost.
+constexpr double kViewDistance = 0.5;
+constexpr double kViewTurn = 0.26;
 constexpr std::string_view kPhasesHeader = "first_sight,phase";
 
 /// A frame that may go on, and the last altitude heard until then.

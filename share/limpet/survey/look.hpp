@@ -12,7 +12,8 @@
 
 namespace limpet {
 
-/// What judges a look: the camera, how well the detector sees, and how large the objects are.
+/// What judges a look: the camera with its mount, how well the detector sees, and how large the
+/// objects are.
 struct LookModel {
   CameraModel camera;
   DetectionModel detection;

@@ -99,8 +99,10 @@ struct Obstacles {
 template <>
 struct TopicCodec<Obstacles> : JsonCodec<Obstacles> {};
 
-/// What the map judges by whether a frame looks at a place: camera and detector as it believes them
-/// (`survey/look.hpp`). Who plans looks plans them by this.
+/// What the map judges by whether a frame looks at a place: camera and detector as it believes
+/// them. Who plans looks plans them by this, through a LookModel (`survey/look.hpp`), which has the
+/// camera as it is reckoned with; a message has angles, in which people and parameters give it, and
+/// how far images are drawn in, which is of no single look.
 struct MapLook {
   /// The camera's image: full angles [rad] and size. Who plans takes it to look straight down.
   double fov_across = 0.0, fov_along = 0.0;
