@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/unit/cli/mission_copy.hpp"
+#include "tests/support/mission_copy.hpp"
 
 namespace limpet {
 namespace {

@@ -13,7 +13,7 @@
 #include "apps/limpet/verbs/launch.hpp"
 #include "limpet/launch/launch_check.hpp"
 #include "limpet/mission/mission_file.hpp"
-#include "tests/unit/cli/mission_copy.hpp"
+#include "tests/support/mission_copy.hpp"
 
 namespace limpet {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// `limpet check` on copies of missions/table1 that can be read and cannot work.
+// Copies of missions/table1 that can be read and cannot work.
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/cli/mission_copy.hpp"
+#include "tests/support/mission_copy.hpp"
 
 namespace limpet {
 namespace {

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// `limpet check` on copies of missions/table1, each with one slip.
+// Copies of missions/table1, each with one slip.
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/cli/mission_copy.hpp"
+#include "tests/support/mission_copy.hpp"
 
 namespace limpet {
 namespace {
 
-class CheckVerb : public ::testing::TestWithParam<Slip> {};
+class Preflight : public ::testing::TestWithParam<Slip> {};
 
-TEST_P(CheckVerb, SaysWhatIsWrong) { ExpectSaid(GetParam()); }
+TEST_P(Preflight, SaysWhatIsWrong) { ExpectSaid(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
-    Mission, CheckVerb,
+    Mission, Preflight,
     ::testing::Values(Slip{"AnUntouchedMission", {}, 0, {"no problems\n"}},
                       Slip{"AnUnusedBlock",
                            {{kMoos, "#include plug_survey",
@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& slip) { return slip.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
-    Vehicles, CheckVerb,
+    Vehicles, Preflight,
     ::testing::Values(
         Slip{"AVehicleThatIsBasedOnAnother", Vehicle("dvl: {rate_hz: 4}"), 0, {"no problems"}},
         Slip{"ACameraThatLooksUp",
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& slip) { return slip.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
-    Syntax, CheckVerb,
+    Syntax, Preflight,
     ::testing::Values(
         Slip{"ABlockThatForgetsItsArea",
              {Without("  area_north_max_m    = $(AREA_NORTH_MAX)", kSurvey)},

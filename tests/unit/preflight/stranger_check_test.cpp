@@ -10,8 +10,8 @@
 #include "apps/limpet/cli.hpp"
 #include "apps/limpet/verbs/check.hpp"
 #include "limpet/core/config.hpp"
+#include "tests/support/mission_copy.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/unit/cli/mission_copy.hpp"
 
 namespace limpet {
 namespace {

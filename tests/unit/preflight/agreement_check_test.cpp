@@ -11,7 +11,7 @@
 #include "limpet/mission/mission_file.hpp"
 #include "limpet/preflight/preflight.hpp"
 #include "limpet/runs/session_runner.hpp"
-#include "tests/unit/cli/mission_copy.hpp"
+#include "tests/support/mission_copy.hpp"
 
 namespace limpet {
 namespace {
