@@ -2,6 +2,7 @@
 #include "limpet/objects/status_posterior.hpp"
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -32,9 +33,33 @@ TEST(StatusPosterior, OfTheImpossibleStaysZero) {
   EXPECT_EQ((StatusPosterior{.removed = 1.0}).Times(sure).Normalized().sum(), 0.0);
 }
 
+TEST(StatusPosterior, SaysOfWhichStatusEachOfItsSharesIs) {
+  const StatusPosterior posterior{
+      .confirmed = 0.4, .removed = 0.3, .appeared = 0.2, .nothing = 0.1};
+  std::map<Status, double> told;
+  double sum = 0.0;
+  for (const auto& [status, probability] : posterior.shares()) {
+    told[status] = probability;
+    sum += probability;
+  }
+  EXPECT_EQ(told.at(Status::kConfirmed), 0.4);
+  EXPECT_EQ(told.at(Status::kRemoved), 0.3);
+  EXPECT_EQ(told.at(Status::kNew), 0.2);
+  EXPECT_EQ(told.at(Status::kNothing), 0.1);
+  EXPECT_EQ(sum, posterior.sum());
+}
+
+TEST(Status, IsOpenWhereLooksSayTooLittleOrThereWereNone) {
+  EXPECT_TRUE(IsOpen(Status::kUncertain) && IsOpen(Status::kNotInspected));
+  for (const Status decided :
+       {Status::kConfirmed, Status::kRemoved, Status::kNew, Status::kMoved, Status::kNothing}) {
+    EXPECT_FALSE(IsOpen(decided)) << NameOf(decided);
+  }
+}
+
 TEST(Status, HasANameThatLeadsBack) {
-  for (const Status status : {Status::kUncertain, Status::kConfirmed, Status::kRemoved,
-                              Status::kNew, Status::kMoved, Status::kNothing}) {
+  for (const Status status : {Status::kUncertain, Status::kNotInspected, Status::kConfirmed,
+                              Status::kRemoved, Status::kNew, Status::kMoved, Status::kNothing}) {
     EXPECT_EQ(StatusFromName(NameOf(status)), status);
   }
   EXPECT_FALSE(StatusFromName("gone").has_value());
