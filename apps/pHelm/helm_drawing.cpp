@@ -15,13 +15,13 @@ constexpr double kSagitta = 0.02;  ///< [m] of a drawn chord
 PolygonShape Rectangle(const SurveyArea& area, double margin) {
   const double north = area.north_max + margin, south = area.north_min - margin;
   const double east = area.east_max + margin, west = area.east_min - margin;
-  return {{MapPointOf(south, west), MapPointOf(south, east), MapPointOf(north, east),
-           MapPointOf(north, west)}};
+  return {{MapPointOf({south, west}), MapPointOf({south, east}), MapPointOf({north, east}),
+           MapPointOf({north, west})}};
 }
 
 Shape OptionEnd(std::string label, const BiddenOption& option) {
   return {.label = std::move(label),
-          .form = PointShape{MapPointOf(option.end[0], option.end[1])},
+          .form = PointShape{MapPointOf({option.end[0], option.end[1]})},
           .style = {.msg = fmt::format("{} {:.1f}", option.source, option.total),
                     .label_color = "gray50",
                     .vertex_color = "gray50",
@@ -51,7 +51,7 @@ void HelmDrawing::DrawRing(const std::string& what, const SimplePolygon& polygon
                            const std::string& color) {
   SeglistShape ring;
   for (const PlanePoint& corner : polygon.corners()) {
-    ring.points.push_back(MapPointOf(corner.x(), corner.y()));
+    ring.points.push_back(MapPointOf(corner));
   }
   ring.points.push_back(ring.points.front());
   board_.Draw({.label = Label(what),
@@ -84,7 +84,7 @@ void HelmDrawing::DrawArea(const SurveyArea& area) {
 void HelmDrawing::DrawHome(const HomePoint& home) {
   board_.Draw(
       {.label = Label("home"),
-       .form = PointShape{MapPointOf(home.north, home.east)},
+       .form = PointShape{MapPointOf({home.north, home.east})},
        .style = {
            .msg = "home", .label_color = "green", .vertex_color = "green", .vertex_size = 5.0}});
 }

@@ -47,7 +47,7 @@ void MapDrawing::Draw(const OpiBeliefs& beliefs) {
   std::vector<Shape> shapes;
   for (const OpiBelief& belief : beliefs.opis) {
     const Place& place = PlaceOf(belief);
-    const MapPoint at = MapPointOf(place.north, place.east);
+    const MapPoint at = MapPointOf({place.north, place.east});
     const std::string label = prefix_ + std::to_string(belief.id);
     const std::optional<StatusColor> decided = ColorOf(belief.decided);
     const std::string color(decided ? decided->moos : kUndecided);

@@ -121,7 +121,7 @@ NodeReport NodeReporterApp::ReportAt(Seconds now) const {
   report.depth = depth_;
   report.yaw = yaw_;
   if (grid_) {
-    const GeoPoint place = grid_->At(*y_, *x_);
+    const GeoPoint place = grid_->At({*y_, *x_});
     report.latitude_deg = place.latitude_deg;
     report.longitude_deg = place.longitude_deg;
   }

@@ -136,7 +136,7 @@ std::optional<NodeReport> NodeReporterApp::AlternativeAt(Seconds now) const {
   report.depth = params_.terse_reports ? std::nullopt : alternative_.depth;
   report.yaw = params_.terse_reports ? std::nullopt : alternative_.yaw;
   if (grid_ && !params_.terse_reports) {
-    const GeoPoint place = grid_->At(report.y, report.x);
+    const GeoPoint place = grid_->At({report.y, report.x});
     report.latitude_deg = place.latitude_deg;
     report.longitude_deg = place.longitude_deg;
   }

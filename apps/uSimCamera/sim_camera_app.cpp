@@ -82,9 +82,7 @@ void SimCameraApp::MakeCamera(const AppContext& context, const Scenario& scenari
          "the scenario's fault `false_boxes` is not made: this camera renders pictures; "
          "camera = boxes makes it");
   }
-  const auto depth = [seabed = seabed_](double north, double east) {
-    return seabed.Depth(north, east);
-  };
+  const auto depth = [seabed = seabed_](const Eigen::Vector2d& p_W) { return seabed.Depth(p_W); };
   // The place looks the same in every session; noise and specks do not.
   const std::uint64_t seabed_seed = MixSeed(context.seed, "seabed texture");
   const std::uint64_t noise_seed = MakeRandom("image noise").Bits();
@@ -197,7 +195,7 @@ void SimCameraApp::AddFalseBoxes(std::vector<Box>& boxes) {
 }
 
 void SimCameraApp::PublishContrast(const SimTruth& truth, Seconds stamp) {
-  const double range = seabed_.Depth(truth.north, truth.east) - truth.down;
+  const double range = seabed_.Depth({truth.north, truth.east}) - truth.down;
   if (range <= 0.0 || (last_contrast_ && stamp - *last_contrast_ < kContrastPeriod)) {
     return;
   }

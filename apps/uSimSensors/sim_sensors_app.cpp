@@ -26,10 +26,9 @@ SoundScene SceneOf(const Scenario& scenario, const std::string& session) {
   for (const ScenarioOpi& opi : scenario.opis) {
     if (const auto center_W = opi.Place(session)) spheres.push_back({*center_W, opi.radius_m});
   }
-  return {[seabed = Seabed(scenario.seabed)](double north, double east) {
-            return seabed.Depth(north, east);
-          },
-          std::move(spheres), BodiesOf(scenario)};
+  return {
+      [seabed = Seabed(scenario.seabed)](const Eigen::Vector2d& p_W) { return seabed.Depth(p_W); },
+      std::move(spheres), BodiesOf(scenario)};
 }
 
 ImuModel::Params ImuOf(const ImuSheet& sheet, const Scenario::Sensors& truth,

@@ -43,10 +43,9 @@ VehicleSimulation MakeSimulation(const VehicleParams& vehicle, const Scenario& s
                                  const std::string& integrator,
                                  const VehicleSimulation::Place& place) {
   const Scenario::Water& water = scenario.water;
-  VehicleModel model(vehicle, {water.current_north_mps, water.current_east_mps, 0.0},
-                     [seabed = Seabed(scenario.seabed)](double north, double east) {
-                       return seabed.Depth(north, east);
-                     });
+  VehicleModel model(
+      vehicle, {water.current_north_mps, water.current_east_mps, 0.0},
+      [seabed = Seabed(scenario.seabed)](const Eigen::Vector2d& p_W) { return seabed.Depth(p_W); });
   return {std::move(model), place,
           integrator == "rk4" ? IntegratorKind::kRk4 : IntegratorKind::kCvode};
 }

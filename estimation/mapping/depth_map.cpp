@@ -89,11 +89,11 @@ void DepthMap::Sum(const Eigen::Vector3d& p_W, std::int64_t sign) {
   if (sums.beams == 0) columns_.erase(key);
 }
 
-std::optional<double> DepthMap::DownAt(double north, double east) const {
+std::optional<double> DepthMap::DownAt(const Eigen::Vector2d& p_W) const {
   const auto index = [this](double x) {
     return static_cast<std::int32_t>(std::floor(x / cell_m_));
   };
-  const auto found = columns_.find({index(north), index(east)});
+  const auto found = columns_.find({index(p_W.x()), index(p_W.y())});
   if (found == columns_.end()) return std::nullopt;
   const Sums& sums = found->second;
   return 1e-3 * static_cast<double>(sums.down_mm) / static_cast<double>(sums.beams);

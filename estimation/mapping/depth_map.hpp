@@ -47,7 +47,7 @@ class DepthMap {
   void SetZeroSigma(double sigma) { zero_sigma_ = sigma; }
 
   /// Mean depth of the column that holds a place [m]; nothing where no beam ended.
-  [[nodiscard]] std::optional<double> DownAt(double north, double east) const;
+  [[nodiscard]] std::optional<double> DownAt(const Eigen::Vector2d& p_W) const;
   /// All columns that a beam ended in, sorted by north, then by east.
   [[nodiscard]] std::vector<DepthColumn> Columns() const;
   [[nodiscard]] double cell_m() const { return cell_m_; }

@@ -82,7 +82,7 @@ int GroundLooks::Look(const ObservedFrame& frame, const SemanticMap& map, Passag
          ++column) {
       const double north = (static_cast<double>(row) + 0.5) * edge;
       const double east = (static_cast<double>(column) + 0.5) * edge;
-      const std::optional<double> down = map.beams().depths().DownAt(north, east);
+      const std::optional<double> down = map.beams().depths().DownAt({north, east});
       if (!down) continue;
       ++work;
       const std::optional<double> miss = MissAt(frame, map, {north, east, *down});

@@ -38,9 +38,9 @@ void GroundSlope::Add(const Pose& X_WD, const std::array<std::optional<double>, 
   is_known_ = true;
 }
 
-std::optional<double> GroundSlope::DepthAt(double north, double east) const {
+std::optional<double> GroundSlope::DepthAt(const Eigen::Vector2d& p_W) const {
   if (!is_known_) return std::nullopt;
-  return below_W_.z() + slope_.dot(Eigen::Vector2d(north, east) - below_W_.head<2>());
+  return below_W_.z() + slope_.dot(p_W - below_W_.head<2>());
 }
 
 }  // namespace limpet

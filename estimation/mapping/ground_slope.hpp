@@ -18,7 +18,7 @@ class GroundSlope {
   void Add(const Pose& X_WD, const std::array<std::optional<double>, 4>& ranges,
            const DvlBeams& dvl);
   /// NED depth there [m]; nothing before the first ping of three beams or more.
-  [[nodiscard]] std::optional<double> DepthAt(double north, double east) const;
+  [[nodiscard]] std::optional<double> DepthAt(const Eigen::Vector2d& p_W) const;
 
  private:
   Eigen::Vector3d below_W_ =

@@ -18,7 +18,7 @@ constexpr double kRelief = 1.0;
 double FarthestOutside(const Obstacle& of, const Obstacle& from) {
   double farthest = 0.0;
   for (const auto& [north, east] : of.outline) {
-    farthest = std::max(farthest, Outside(from.outline, north, east));
+    farthest = std::max(farthest, Outside(from.outline, {north, east}));
   }
   return farthest;
 }
@@ -35,7 +35,7 @@ Eigen::Vector2d MiddleOf(const Obstacle& obstacle) {
 
 bool ObstacleFinder::StandsUp(const Eigen::Vector3d& end_W, double vehicle_down) const {
   if (end_W.z() > vehicle_down + kInTheWay) return false;
-  const std::optional<double> seabed = ground_.DepthAt(end_W.x(), end_W.y());
+  const std::optional<double> seabed = ground_.DepthAt(end_W.head<2>());
   return !seabed || end_W.z() < *seabed - kRelief;
 }
 

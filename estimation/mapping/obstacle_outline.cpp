@@ -94,11 +94,11 @@ std::vector<std::array<double, 2>> OutlineOf(const Cells& group, double around) 
   return corners;
 }
 
-double Outside(const std::vector<std::array<double, 2>>& outline, double north, double east) {
+double Outside(const std::vector<std::array<double, 2>>& outline, const Eigen::Vector2d& p_W) {
   std::vector<cv::Point2f> corners;
   for (const auto& [corner_north, corner_east] : outline) {
-    corners.emplace_back(static_cast<float>(corner_north - north),
-                         static_cast<float>(corner_east - east));
+    corners.emplace_back(static_cast<float>(corner_north - p_W.x()),
+                         static_cast<float>(corner_east - p_W.y()));
   }
   return std::max(0.0, -cv::pointPolygonTest(corners, cv::Point2f(0.0F, 0.0F), true));
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "estimation/mapping/echo_cells.hpp"
 
 namespace limpet {
@@ -20,7 +22,7 @@ inline constexpr double kLongestGroup = 4.0;
 [[nodiscard]] std::vector<std::array<double, 2>> OutlineOf(
     const std::vector<EchoCells::Cell>& group, double around);
 /// How far a place is outside a convex outline [m]; 0 inside.
-[[nodiscard]] double Outside(const std::vector<std::array<double, 2>>& outline, double north,
-                             double east);
+[[nodiscard]] double Outside(const std::vector<std::array<double, 2>>& outline,
+                             const Eigen::Vector2d& p_W);
 
 }  // namespace limpet

@@ -31,7 +31,7 @@ TEST_P(LocalGridByMrpt, PlacesAreTheSameUpToAHundredKilometres) {
   for (const double distance : {1.0, 1e3, 1e4, 1e5}) {
     for (int k = 0; k < 16; ++k) {
       const Eigen::Vector2d p(distance * std::cos(0.4 * k), distance * std::sin(0.4 * k));
-      const Eigen::Vector2d by_mrpt = NorthEastByMrpt(datum, grid.At(p.x(), p.y()));
+      const Eigen::Vector2d by_mrpt = NorthEastByMrpt(datum, grid.At(p));
       EXPECT_LT((by_mrpt - p).norm(), 1e-6 + 1e-11 * distance) << distance << " m, " << k;
     }
   }

@@ -134,16 +134,16 @@ Result RunScenes(const Plan& plan, Find&& find_of_scene) {
 inline Result RunDetector(const Plan& plan) {
   return RunScenes(plan, [&plan](double visibility, std::uint64_t seed) {
     const double phase = static_cast<double>(seed % 1000);
-    auto renderer = std::make_shared<SceneRenderer>(SceneSettings{
-        .camera = {},
-        .seabed_depth =
-            [phase](double north, double east) {
-              return 7.5 +
-                     0.05 * (std::sin(1.3 * north + phase) + std::sin(0.9 * east + 0.4 * north));
-            },
-        .visibility_m = visibility,
-        .seabed_seed = seed,
-        .noise_seed = seed + 1});
+    auto renderer = std::make_shared<SceneRenderer>(
+        SceneSettings{.camera = {},
+                      .seabed_depth =
+                          [phase](const Eigen::Vector2d& p_W) {
+                            return 7.5 + 0.05 * (std::sin(1.3 * p_W.x() + phase) +
+                                                 std::sin(0.9 * p_W.y() + 0.4 * p_W.x()));
+                          },
+                      .visibility_m = visibility,
+                      .seabed_seed = seed,
+                      .noise_seed = seed + 1});
     const std::shared_ptr<Detector> detector = MakeDetector(plan.detector);
     return [renderer, detector](const Pose& pose, const std::vector<Sphere>& spheres, int frame) {
       const Image image = renderer->Render(pose, spheres, static_cast<std::uint32_t>(frame));

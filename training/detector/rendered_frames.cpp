@@ -51,8 +51,8 @@ void DrawSensor(ImageParams::Sensor& sensor, Random& random) {
 PictureSettings DrawSettings(std::uint64_t seed, double depth, Random& random) {
   PictureSettings settings{.scene = {.camera = {}, .seabed_depth = {}}, .image = {}};
   const double wave = random.Uniform(0.0, 0.15);
-  settings.scene.seabed_depth = [depth, wave](double north, double east) {
-    return depth + wave * std::sin(1.3 * north) * std::cos(0.8 * east);
+  settings.scene.seabed_depth = [depth, wave](const Eigen::Vector2d& p_W) {
+    return depth + wave * std::sin(1.3 * p_W.x()) * std::cos(0.8 * p_W.y());
   };
   settings.scene.visibility_m = LogUniform(2.5, 20.0, random);
   settings.scene.seabed_seed = seed;

@@ -21,8 +21,8 @@ constexpr double kDepth = 8.0;
 PictureSettings DrawWorld(const TrialPlan& plan, Random& random) {
   PictureSettings settings{.scene = {.camera = {}, .seabed_depth = {}}, .image = {}};
   const double wave = random.Uniform(0.0, 0.1);
-  settings.scene.seabed_depth = [wave](double north, double east) {
-    return kDepth + wave * std::sin(1.3 * north) * std::cos(0.8 * east);
+  settings.scene.seabed_depth = [wave](const Eigen::Vector2d& p_W) {
+    return kDepth + wave * std::sin(1.3 * p_W.x()) * std::cos(0.8 * p_W.y());
   };
   settings.scene.visibility_m = random.Uniform(plan.least_visibility_m, plan.most_visibility_m);
   settings.scene.seabed_seed = random.Bits();

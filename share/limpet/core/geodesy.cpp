@@ -71,8 +71,8 @@ LocalGrid::LocalGrid(const GeoPoint& datum) {
   east_ = {-sin_lon, cos_lon, 0.0};
 }
 
-GeoPoint LocalGrid::At(double north, double east) const {
-  return GeoPointOf(origin_ + north * north_ + east * east_);
+GeoPoint LocalGrid::At(const Eigen::Vector2d& p_W) const {
+  return GeoPointOf(origin_ + p_W.x() * north_ + p_W.y() * east_);
 }
 
 std::optional<Eigen::Vector2d> LocalGrid::Above(const GeoPoint& place) const {

@@ -24,7 +24,7 @@ class LocalGrid {
   explicit LocalGrid(const GeoPoint& datum);
 
   /// The place below a point of the plane.
-  [[nodiscard]] GeoPoint At(double north, double east) const;
+  [[nodiscard]] GeoPoint At(const Eigen::Vector2d& p_W) const;
   /// The inverse: the point of the plane (north, east) [m] straight above a place; nothing where
   /// the plane is not above it, on the other side of the earth.
   [[nodiscard]] std::optional<Eigen::Vector2d> Above(const GeoPoint& place) const;

@@ -18,7 +18,7 @@ using Point = SvgCanvas::Point;
 
 void DrawChange(MapAxes& map, const ChangeScore& change, bool is_judged) {
   if (!change.p_W) return;
-  const Point at = map.At(change.p_W->x(), change.p_W->y());
+  const Point at = map.At(change.p_W->head<2>());
   DrawStatus(map.canvas(), at, change.decided, 8.0);
   const std::string decided =
       fmt::format("{} {}", NameOf(change.decided), ProbabilityText(change.probability));
@@ -72,7 +72,7 @@ void DrawTruthOfBoth(MapAxes& map, const FigureSource& source) {
     const auto before = opi.Place(source.score.former);
     if (now) DrawTruth(map, *now, opi.radius_m);
     if (before && !now) {
-      map.canvas().Circle(map.At(before->x(), before->y()), opi.radius_m * map.pixels_per_metre(),
+      map.canvas().Circle(map.At(before->head<2>()), opi.radius_m * map.pixels_per_metre(),
                           {.stroke = palette::kMapMuted, .width = 1.4, .dash = "3 3"});
     }
   }

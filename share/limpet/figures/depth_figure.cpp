@@ -41,8 +41,8 @@ struct DepthError {
 DepthError ErrorOf(const GridRecord& grid, const Seabed& seabed) {
   double sum = 0.0, squares = 0.0, count = 0.0;
   grid.EachSeen([&](int row, int column, const SeenCell& cell) {
-    const double truth = seabed.Depth(grid.frame.north_min + (row + 0.5) * grid.frame.cell_m,
-                                      grid.frame.east_min + (column + 0.5) * grid.frame.cell_m);
+    const double truth = seabed.Depth({grid.frame.north_min + (row + 0.5) * grid.frame.cell_m,
+                                       grid.frame.east_min + (column + 0.5) * grid.frame.cell_m});
     const double error = static_cast<double>(cell.seabed_down) - truth;
     sum += error, squares += error * error, count += 1.0;
   });

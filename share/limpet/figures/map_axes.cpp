@@ -39,24 +39,24 @@ MapAxes::MapAxes(const SurveyArea& area, const std::string& title, const std::st
   DrawFrame(title, subtitle);
 }
 
-Point MapAxes::At(double north, double east) const {
-  return {kMapLeft + (east - east_min_) * scale_, kMapTop + (north_max_ - north) * scale_};
+Point MapAxes::At(const Eigen::Vector2d& p_W) const {
+  return {kMapLeft + (p_W.y() - east_min_) * scale_, kMapTop + (north_max_ - p_W.x()) * scale_};
 }
 
 void MapAxes::DrawFrame(const std::string& title, const std::string& subtitle) {
-  const Point corner = At(north_max_, east_min_);
+  const Point corner = At({north_max_, east_min_});
   const Point size((east_max_ - east_min_) * scale_, (north_max_ - north_min_) * scale_);
   canvas_.Text({kMapLeft, 24.0}, title, {.size = 17.0, .is_bold = true});
   canvas_.Text({kMapLeft, 44.0}, subtitle, {.size = 12.5, .fill = palette::kMuted});
   canvas_.Rect(corner, size, {.fill = palette::kUnseen});
   const double bottom = corner.y() + size.y();
   for (const double east : TickMarks(east_min_, east_max_, 9)) {
-    const double x = At(0.0, east).x();
+    const double x = At({0.0, east}).x();
     canvas_.Line({x, bottom}, {x, bottom + 5.0}, {.stroke = palette::kMuted});
     canvas_.Text({x, bottom + 19.0}, TickText(east), {.anchor = Anchor::kMiddle});
   }
   for (const double north : TickMarks(north_min_, north_max_, 8)) {
-    const double y = At(north, 0.0).y();
+    const double y = At({north, 0.0}).y();
     canvas_.Line({corner.x() - 5.0, y}, {corner.x(), y}, {.stroke = palette::kMuted});
     canvas_.Text({corner.x() - 9.0, y + 4.0}, TickText(north), {.anchor = Anchor::kEnd});
   }
@@ -82,7 +82,7 @@ void MapAxes::Raster(const GridRecord& grid,
   }
   const double pixel_m = step * frame.cell_m;
   const double north_max = frame.north_min + raster.height * pixel_m;
-  canvas_.Image(At(north_max, frame.east_min),
+  canvas_.Image(At({north_max, frame.east_min}),
                 Point(raster.width, raster.height) * pixel_m * scale_, Base64(EncodePng(raster)),
                 opacity);
 }
@@ -91,7 +91,7 @@ void MapAxes::Outline(const SurveyArea& area) {
   const Paint dashed{.stroke = palette::kMapMuted, .width = 1.0, .dash = "5 4"};
   const auto shape = SurveyShape::Of(area);
   if (!shape || shape->is_plain()) {
-    canvas_.Rect(At(area.north_max, area.east_min),
+    canvas_.Rect(At({area.north_max, area.east_min}),
                  Point(area.east_max - area.east_min, area.north_max - area.north_min) * scale_,
                  dashed);
     return;
@@ -99,7 +99,7 @@ void MapAxes::Outline(const SurveyArea& area) {
   const auto draw = [this](const SimplePolygon& polygon, const Paint& paint) {
     std::vector<Point> corners;
     for (const PlanePoint& corner : polygon.corners()) {
-      corners.push_back(At(corner.x(), corner.y()));
+      corners.push_back(At(corner));
     }
     canvas_.Polygon(corners, paint);
   };
@@ -111,7 +111,7 @@ void MapAxes::Outline(const SurveyArea& area) {
 }
 
 void MapAxes::BeginMap() {
-  canvas_.BeginClip(At(north_max_, east_min_),
+  canvas_.BeginClip(At({north_max_, east_min_}),
                     Point(east_max_ - east_min_, north_max_ - north_min_) * scale_);
 }
 
@@ -119,7 +119,7 @@ void MapAxes::EndMap() { canvas_.EndClip(); }
 
 void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol,
                      const std::string& text) {
-  const double x = At(0.0, east_max_).x() + kMapGap;
+  const double x = At({0.0, east_max_}).x() + kMapGap;
   symbol(canvas_, {x + 12.0, legend_y_ + 6.0});
   std::size_t begin = 0;
   double y = legend_y_ + 10.0;
@@ -133,7 +133,7 @@ void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol
 }
 
 void MapAxes::LegendHeading(const std::string& text) {
-  const double x = At(0.0, east_max_).x() + kMapGap;
+  const double x = At({0.0, east_max_}).x() + kMapGap;
   legend_y_ += legend_y_ > kMapTop + 6.0 ? 14.0 : 0.0;
   canvas_.Text({x, legend_y_ + 8.0}, text,
                {.size = 12.0, .fill = palette::kMuted, .is_bold = true});
@@ -143,7 +143,7 @@ void MapAxes::LegendHeading(const std::string& text) {
 void MapAxes::ColorBar(const std::function<palette::Rgb(double)>& color, const std::string& low,
                        const std::string& high, const std::string& what) {
   LegendHeading(what);
-  const double x = At(0.0, east_max_).x() + kMapGap;
+  const double x = At({0.0, east_max_}).x() + kMapGap;
   constexpr int kSteps = 64;
   constexpr double kHeight = 150.0, kWidth = 16.0;
   RgbaImage bar{1, kSteps, {}};

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limpet/figures/palette.hpp"
 #include "limpet/figures/svg_canvas.hpp"
 #include "limpet/scoring/session_record.hpp"
@@ -19,9 +21,9 @@ class MapAxes {
   /// made.
   MapAxes(const SurveyArea& area, const std::string& title, const std::string& subtitle);
 
-  [[nodiscard]] SvgCanvas::Point At(double north, double east) const;
+  [[nodiscard]] SvgCanvas::Point At(const Eigen::Vector2d& p_W) const;
   /// Right edge of the map [px].
-  [[nodiscard]] double right() const { return At(0.0, east_max_).x(); }
+  [[nodiscard]] double right() const { return At({0.0, east_max_}).x(); }
   [[nodiscard]] double pixels_per_metre() const { return scale_; }
   [[nodiscard]] SvgCanvas& canvas() { return canvas_; }
 

@@ -57,7 +57,7 @@ void DrawStatus(SvgCanvas& canvas, const Point& centre, Status status, double ra
 }
 
 void DrawTruth(MapAxes& map, const Eigen::Vector3d& p_W, double radius_m) {
-  map.canvas().Circle(map.At(p_W.x(), p_W.y()), radius_m * map.pixels_per_metre(),
+  map.canvas().Circle(map.At(p_W.head<2>()), radius_m * map.pixels_per_metre(),
                       {.stroke = palette::kMapInk, .width = 1.4});
 }
 
@@ -77,7 +77,7 @@ void DrawLabel(MapAxes& map, const Eigen::Vector3d& p_W, const PlaceLabel& label
   std::size_t longest = 0;
   for (const std::string& line : label.lines)
     longest = std::max(longest, line.size());
-  Point at = map.At(p_W.x(), p_W.y());
+  Point at = map.At(p_W.head<2>());
   const bool is_left =
       at.x() + label.distance + kLetter * static_cast<double>(longest) > map.right();
   at += Point(is_left ? -label.distance : label.distance, -5.0);

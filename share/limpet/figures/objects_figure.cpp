@@ -23,14 +23,14 @@ constexpr Paint kMapSpread{.fill = palette::kOrange, .opacity = 0.35};
 struct Drawing {
   SvgCanvas& canvas;
   double scale;
-  std::function<Point(double north, double east)> at;
+  std::function<Point(const Eigen::Vector2d& p_W)> at;
 };
 
 void DrawBelief(const Drawing& drawing, const OpiBelief& opi) {
   const auto& sd = opi.centroid_sd_W;
   const Eigen::Matrix3d& S = opi.object.cov_W;
-  const Point centroid = drawing.at(opi.centroid_W.x(), opi.centroid_W.y());
-  const Point place = drawing.at(opi.object.p_W.x(), opi.object.p_W.y());
+  const Point centroid = drawing.at(opi.centroid_W.head<2>());
+  const Point place = drawing.at(opi.object.p_W.head<2>());
   if (sd[0] + sd[1] > 0.0) {  // else the map has no voxels of it
     DrawCovariance(drawing.canvas, centroid, 2.0 * drawing.scale,
                    {sd[0] * sd[0], 0.0, sd[1] * sd[1]}, kMapSpread);
@@ -72,9 +72,9 @@ void DrawCloseUp(SvgCanvas& canvas, const Point& corner, const FigureSource& sou
   constexpr double kMetres = 4.0;
   const double scale = kCloseUp / kMetres;
   const Point middle = corner + Point(0.5 * kCloseUp, 0.5 * kCloseUp);
-  const Drawing drawing{canvas, scale, [&](double north, double east) {
-                          return Point(middle.x() + (east - opi.truth_W.y()) * scale,
-                                       middle.y() - (north - opi.truth_W.x()) * scale);
+  const Drawing drawing{canvas, scale, [&](const Eigen::Vector2d& p_W) {
+                          return Point(middle.x() + (p_W.y() - opi.truth_W.y()) * scale,
+                                       middle.y() - (p_W.x() - opi.truth_W.x()) * scale);
                         }};
   canvas.Rect(corner, {kCloseUp, kCloseUp}, {.fill = palette::kUnseen});
   canvas.BeginClip(corner, {kCloseUp, kCloseUp});
@@ -149,7 +149,7 @@ Figure ObjectsFigure(const FigureSource& source) {
     }
   }
   const Drawing drawing{map.canvas(), map.pixels_per_metre(),
-                        [&map](double north, double east) { return map.At(north, east); }};
+                        [&map](const Eigen::Vector2d& p_W) { return map.At(p_W); }};
   for (const OpiBelief& opi : record.opis) {
     if (opi.posterior.present() >= 0.5) DrawBelief(drawing, SmoothedBelief(opi, record.landmarks));
   }

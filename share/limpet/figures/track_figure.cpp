@@ -25,7 +25,7 @@ constexpr Paint kOption{.stroke = palette::kMapMuted, .width = 0.6, .opacity = 0
 std::vector<Point> PointsOf(const MapAxes& map, const PoseTrack& track) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < track.size(); ++i) {
-    points.push_back(map.At(track.north(i), track.east(i)));
+    points.push_back(map.At({track.north(i), track.east(i)}));
   }
   return Simplified(points, 0.3);
 }
@@ -59,10 +59,10 @@ std::string_view PurposeColor(BidPurpose purpose) {
 
 void DrawDecisions(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   for (const DecisionRecord& decision : decisions) {
-    const Point start = map.At(decision.north, decision.east);
+    const Point start = map.At({decision.north, decision.east});
     if (!decision.offer) continue;
     for (const auto& [north, east] : decision.offer->ends) {
-      const Point end = map.At(north, east);
+      const Point end = map.At({north, east});
       map.canvas().Line(start, end, kOption);
       map.canvas().Circle(end, 1.4, {.fill = palette::kMapMuted, .opacity = 0.4});
     }
@@ -84,7 +84,7 @@ void DrawDecision(SvgCanvas& canvas, const Point& at, double radius, BidPurpose 
 void DrawDecisionPoints(MapAxes& map, const std::vector<DecisionRecord>& decisions) {
   const double radius = DecisionRadius(map);
   for (const auto& [i, purpose] : PurposesOf(decisions)) {
-    DrawDecision(map.canvas(), map.At(decisions[i].north, decisions[i].east), radius, purpose);
+    DrawDecision(map.canvas(), map.At({decisions[i].north, decisions[i].east}), radius, purpose);
   }
 }
 
@@ -111,10 +111,10 @@ void DrawDirection(MapAxes& map, const PoseTrack& truth) {
   for (std::size_t i = 1; i < truth.size(); ++i) {
     if (truth.path(i) < next) continue;
     const Point step =
-        map.At(truth.north(i), truth.east(i)) - map.At(truth.north(i - 1), truth.east(i - 1));
+        map.At({truth.north(i), truth.east(i)}) - map.At({truth.north(i - 1), truth.east(i - 1)});
     if (step.norm() < 1e-6) continue;  // on the spot, e.g. while diving
     next = truth.path(i) + apart;
-    DrawTriangle(map.canvas(), map.At(truth.north(i), truth.east(i)), 5.5,
+    DrawTriangle(map.canvas(), map.At({truth.north(i), truth.east(i)}), 5.5,
                  std::atan2(step.x(), -step.y()), {.fill = palette::kMapInk});
   }
 }
@@ -159,7 +159,7 @@ void DrawTrueObjects(MapAxes& map, const FigureSource& source) {
     const auto place = opi.Place(source.record.name);
     if (!place) continue;
     DrawTruth(map, *place, opi.radius_m);
-    map.canvas().Text(map.At(place->x(), place->y()) + Point(11.0, -9.0), opi.name,
+    map.canvas().Text(map.At(place->head<2>()) + Point(11.0, -9.0), opi.name,
                       {.fill = palette::kMapInk, .is_bold = true, .has_halo = true});
   }
 }
@@ -181,7 +181,7 @@ void DrawObstacles(MapAxes& map, const Scenario& scenario) {
     std::vector<Point> corners;
     for (const Eigen::Vector2d& corner : OutlineOf(body)) {
       const Eigen::Vector2d at = body.center_W() + corner.cwiseProduct(body.half_size());
-      corners.push_back(map.At(at.x(), at.y()));
+      corners.push_back(map.At(at));
     }
     map.canvas().Polygon(corners, {.fill = palette::kMapInk, .stroke = palette::kMapInk});
   }
@@ -191,9 +191,9 @@ void DrawObstacles(MapAxes& map, const Scenario& scenario) {
 void DrawStart(MapAxes& map, const FigureSource& source) {
   if (source.score.has_truth) {
     const auto& start = source.scenario.start;
-    DrawHome(map.canvas(), map.At(start.north_m, start.east_m));
+    DrawHome(map.canvas(), map.At({start.north_m, start.east_m}));
   } else if (source.record.home) {
-    DrawHome(map.canvas(), map.At(source.record.home->north, source.record.home->east));
+    DrawHome(map.canvas(), map.At({source.record.home->north, source.record.home->east}));
   }
 }
 

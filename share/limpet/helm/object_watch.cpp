@@ -10,7 +10,7 @@ namespace limpet {
 namespace {
 
 std::optional<double> SeabedAt(const SurveyGrid& grid, double north, double east) {
-  const std::optional<GridPlace> place = GridPlaceOf(grid.frame(), north, east);
+  const std::optional<GridPlace> place = GridPlaceOf(grid.frame(), {north, east});
   return place ? grid.Seabed(place->row, place->column) : std::nullopt;
 }
 

@@ -21,12 +21,12 @@ int ChordsOf(const PathSegment& segment, double sagitta) {
 
 std::vector<MapPoint> MapPointsOf(const DubinsPath& path, double sagitta) {
   Pose2 pose = path.start();
-  std::vector<MapPoint> points{MapPointOf(pose.north, pose.east)};
+  std::vector<MapPoint> points{MapPointOf({pose.north, pose.east})};
   for (const PathSegment& segment : path.segments()) {
     const int chords = ChordsOf(segment, sagitta);
     for (int i = 0; i < chords; ++i) {
       pose = Advance(pose, segment.curvature, segment.length / chords);
-      points.push_back(MapPointOf(pose.north, pose.east));
+      points.push_back(MapPointOf({pose.north, pose.east}));
     }
   }
   return points;

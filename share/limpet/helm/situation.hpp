@@ -63,7 +63,7 @@ struct VehicleState {
     return found->second.recent();
   }
   /// Where the vehicle is, as a point of the viewer's map.
-  [[nodiscard]] MapPoint place() const { return MapPointOf(nav.north, nav.east); }
+  [[nodiscard]] MapPoint place() const { return MapPointOf({nav.north, nav.east}); }
   /// Speed over ground [m/s].
   [[nodiscard]] double speed() const { return std::hypot(nav.u, nav.v); }
 };

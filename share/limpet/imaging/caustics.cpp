@@ -151,12 +151,12 @@ Caustics::Layer::Layer(const Caustics& caustics, const Eigen::Vector3d& p_W, Sec
   second_across_ = wrapped(kKept * east_ - kTurned * north_ + 0.45 * t);
 }
 
-float Caustics::Layer::LightAt(double north, double east) const {
+float Caustics::Layer::LightAt(const Eigen::Vector2d& p_W) const {
   constexpr auto kTexels = static_cast<float>(kSize / kTile);
   constexpr auto kA = static_cast<float>(kKept);
   constexpr auto kB = static_cast<float>(kTurned);
-  const float across = static_cast<float>(east - east_) * kTexels;
-  const float along = static_cast<float>(north - north_) * kTexels;
+  const float across = static_cast<float>(p_W.y() - east_) * kTexels;
+  const float along = static_cast<float>(p_W.x() - north_) * kTexels;
   const float one = caustics_->Sample(across + first_across_, along + first_along_);
   const float other = caustics_->Sample(kA * across - kB * along + second_across_,
                                         kB * across + kA * along + second_along_);

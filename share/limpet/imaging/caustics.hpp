@@ -36,7 +36,7 @@ class Caustics {
 class Caustics::Layer {
  public:
   /// 0 or more; 1 in the mean.
-  [[nodiscard]] float LightAt(double north, double east) const;
+  [[nodiscard]] float LightAt(const Eigen::Vector2d& p_W) const;
   [[nodiscard]] bool is_flat() const { return amplitude_ <= 0.0F; }
 
  private:

@@ -151,7 +151,7 @@ void Clutter::Collect(const Area& area, SeabedRelief& relief, std::vector<Growth
         const double at_north = north + draws.Uniform();
         const double at_east = east + draws.Uniform();
         // Sunk in by a fifth.
-        const double depth = relief.At(at_north, at_east).depth - 0.6 * one.ReachDown();
+        const double depth = relief.At({at_north, at_east}).depth - 0.6 * one.ReachDown();
         one.p_W = {at_north, at_east, depth};
         litter.push_back(std::move(one));
       }

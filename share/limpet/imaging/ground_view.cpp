@@ -99,7 +99,7 @@ void GroundView::FillCaustics(const SceneLight& light) {
       const Eigen::Vector2f at =
           0.25F * (corners_.place(column / 2, row / 2) + corners_.place(right, row / 2) +
                    corners_.place(column / 2, low) + corners_.place(right, low));
-      *out++ = light.caustics().LightAt(origin_.y() + at.y(), origin_.x() + at.x()) - 1.0F;
+      *out++ = light.caustics().LightAt({origin_.y() + at.y(), origin_.x() + at.x()}) - 1.0F;
     }
   }
 }
@@ -218,7 +218,7 @@ void GroundView::Paint(const CameraModel& camera, const Pose& X_WB, SeabedRelief
                        LinearImage& image) {
   spots_.clear();
   for (const Growth& one : growth) {
-    const Eigen::Vector3d p_W(one.north, one.east, relief.At(one.north, one.east).depth);
+    const Eigen::Vector3d p_W(one.north, one.east, relief.At({one.north, one.east}).depth);
     const auto seen = ImageOfSphere(camera, camera.InCamera(X_WB, p_W), 1.5 * one.radius);
     if (!seen) continue;
     const auto inside = [](double px, int size) {

@@ -150,7 +150,7 @@ Image PictureRenderer::Render(const Pose& X_WB, std::span<const Solid> solids, s
   growth_.clear();
   litter_.clear();
   Eigen::Vector3d below_W = X_WB.p_WB;
-  below_W.z() = relief_.At(below_W.x(), below_W.y()).depth;
+  below_W.z() = relief_.At(below_W.head<2>()).depth;
   const SceneLight light({settings_.image, camera, water_, lamp_, relief_},
                          caustics_.At(below_W, time), X_WB);
   ground_.Look(light, relief_);

@@ -55,7 +55,7 @@ Eigen::Array3f SceneLight::On(const Eigen::Vector3d& p_W, const Eigen::Vector3d&
   const auto facing = static_cast<float>(std::max(normal_W.dot(sun_W_), 0.0) / -sun_W_.z());
   // From below comes what the seabed returns.
   const float sky = kFromSky * (0.5F + 0.5F * up) + 0.08F * (0.5F - 0.5F * up);
-  const float waves = facing > 0.0F ? caustics_.LightAt(p_W.x(), p_W.y()) : 1.0F;
+  const float waves = facing > 0.0F ? caustics_.LightAt(p_W.head<2>()) : 1.0F;
   return DaylightAt(p_W.z()) * (sky + (1.0F - kFromSky) * facing * waves) + LampOn(p_W, normal_W);
 }
 

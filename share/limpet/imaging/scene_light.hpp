@@ -47,7 +47,7 @@ class SceneLight {
   [[nodiscard]] Ground OnGround(const Eigen::Vector3d& p_W, const Eigen::Vector3d& normal_W) const;
   [[nodiscard]] const Caustics::Layer& caustics() const { return caustics_; }
   [[nodiscard]] double SeabedDepthAt(const Eigen::Vector3d& p_W) const {
-    return relief_->At(p_W.x(), p_W.y()).depth;
+    return relief_->At(p_W.head<2>()).depth;
   }
   [[nodiscard]] const Eigen::Vector3d& camera_W() const { return camera_W_; }
   [[nodiscard]] const Eigen::Matrix3d& R_WC() const { return R_WC_; }

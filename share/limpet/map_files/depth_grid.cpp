@@ -76,8 +76,8 @@ constexpr double kTooManyCells = 6e8;
 
 }  // namespace
 
-std::optional<std::size_t> DepthGrid::At(double north, double east) const {
-  const std::optional<GridPlace> place = GridPlaceOf(frame, north, east);
+std::optional<std::size_t> DepthGrid::At(const Eigen::Vector2d& p_W) const {
+  const std::optional<GridPlace> place = GridPlaceOf(frame, p_W);
   if (!place) return std::nullopt;
   const std::size_t cell = Index(place->row, place->column);
   return IsKnown(cell) ? std::optional(cell) : std::nullopt;

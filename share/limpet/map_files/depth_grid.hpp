@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "estimation/mapping/depth_map.hpp"
 #include "estimation/mapping/semantic_octree.hpp"
 #include "limpet/core/expected.hpp"
@@ -27,7 +29,7 @@ struct DepthGrid {
   }
   [[nodiscard]] bool IsKnown(std::size_t cell) const { return !std::isnan(down_m[cell]); }
   /// The cell that holds a place; nothing outside the grid, or where no beam ended.
-  [[nodiscard]] std::optional<std::size_t> At(double north, double east) const;
+  [[nodiscard]] std::optional<std::size_t> At(const Eigen::Vector2d& p_W) const;
 };
 
 [[nodiscard]] DepthGrid DepthGridOf(const DepthMap& depths);

@@ -10,7 +10,7 @@
 namespace limpet {
 
 nlohmann::ordered_json GeoPointJson(const LocalGrid& grid, const Eigen::Vector3d& p_W) {
-  return {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.x(), p_W.y())}};
+  return {{"type", "Point"}, {"coordinates", GeoPosition(grid, p_W.head<2>())}};
 }
 
 std::string FeatureCollectionText(nlohmann::ordered_json features) {

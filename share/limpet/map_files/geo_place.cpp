@@ -16,12 +16,12 @@ double ToMillimetre(double degrees) { return std::round(degrees * 1e8) / 1e8; }
 
 std::string GeoFields(const std::optional<GeoPoint>& datum, const Eigen::Vector3d& p_W) {
   if (!datum) return ",";
-  const GeoPoint place = LocalGrid(*datum).At(p_W.x(), p_W.y());
+  const GeoPoint place = LocalGrid(*datum).At(p_W.head<2>());
   return fmt::format("{:.8f},{:.8f}", place.latitude_deg, place.longitude_deg);
 }
 
-nlohmann::ordered_json GeoPosition(const LocalGrid& grid, double north, double east) {
-  const GeoPoint place = grid.At(north, east);
+nlohmann::ordered_json GeoPosition(const LocalGrid& grid, const Eigen::Vector2d& p_W) {
+  const GeoPoint place = grid.At(p_W);
   return {ToMillimetre(place.longitude_deg), ToMillimetre(place.latitude_deg)};
 }
 

@@ -17,6 +17,6 @@ namespace limpet {
                                     const Eigen::Vector3d& p_W);
 
 /// A position of GeoJSON: longitude and latitude [deg], to a millimetre.
-[[nodiscard]] nlohmann::ordered_json GeoPosition(const LocalGrid& grid, double north, double east);
+[[nodiscard]] nlohmann::ordered_json GeoPosition(const LocalGrid& grid, const Eigen::Vector2d& p_W);
 
 }  // namespace limpet

@@ -40,7 +40,7 @@ Compared Compare(const DepthGrid& a, const DepthGrid& b, const FrameOffset& offs
       const Eigen::Vector3d p_A =
           offset.Undo({b.frame.north_min + (row + 0.5) * b.frame.cell_m,
                        b.frame.east_min + (column + 0.5) * b.frame.cell_m, 0.0});
-      if (const auto of_a = a.At(p_A.x(), p_A.y())) {
+      if (const auto of_a = a.At(p_A.head<2>())) {
         compared.off_m[cell] = static_cast<double>(b.down_m[cell] - a.down_m[*of_a]);
         compared.sigma_m[cell] =
             std::hypot(static_cast<double>(b.sigma_m[cell]), static_cast<double>(a.sigma_m[*of_a]));

@@ -54,7 +54,7 @@ OrderedJson FeatureOf(const SurveyArea& area, const LocalGrid& grid) {
   // Counterclockwise, and closed.
   OrderedJson ring = OrderedJson::array();
   for (const PlanePoint& corner : outline.corners()) {
-    ring.push_back(GeoPosition(grid, corner.x(), corner.y()));
+    ring.push_back(GeoPosition(grid, corner));
   }
   ring.push_back(ring.front());
   return {

@@ -85,7 +85,7 @@ void CheckObstacles(YamlReader& in, const YAML::Node& node, const Scenario& scen
     const ScenarioObstacle& obstacle = scenario.obstacles[i];
     const UprightBody body = obstacle.Body(scenario.seabed);
     const std::string path = fmt::format("obstacles[{}]", i);
-    if (body.Covers(scenario.start.north_m, scenario.start.east_m) && body.top() <= 0.0) {
+    if (body.Covers({scenario.start.north_m, scenario.start.east_m}) && body.top() <= 0.0) {
       in.Complain(node[i], path, fmt::format("the vehicle starts inside `{}`", obstacle.name));
     }
     for (const ScenarioOpi& opi : scenario.opis) {

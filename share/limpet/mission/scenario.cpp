@@ -167,7 +167,7 @@ void CheckPlaces(YamlReader& in, const YAML::Node& opis, const Scenario& scenari
       if (!place) {
         continue;
       }
-      const double bottom = SeabedDepth(scenario.seabed, place->x(), place->y());
+      const double bottom = SeabedDepth(scenario.seabed, place->head<2>());
       if (place->z() - opi.radius_m < 0.0 || place->z() - opi.radius_m > bottom) {
         in.Complain(opis[i], fmt::format("opis[{}].{}", i, session),
                     fmt::format("`{}` is not in the water: down {:.2f} m, radius {:.2f} m, seabed "
@@ -244,7 +244,7 @@ std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) co
 }
 
 UprightBody ScenarioObstacle::Body(const ScenarioSeabed& seabed) const {
-  const double top = SeabedDepth(seabed, north_m, east_m) - height_m;
+  const double top = SeabedDepth(seabed, {north_m, east_m}) - height_m;
   if (shape == "column") return UprightBody::Column({north_m, east_m}, radius_m, top);
   return UprightBody::Box({north_m, east_m}, 0.5 * size_m, top);
 }

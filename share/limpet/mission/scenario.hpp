@@ -104,6 +104,6 @@ struct Scenario {
 
 /// NED depth of the true seabed at (north, east) [m]: slope plus a smooth random relief of standard
 /// deviation roughness_m.
-[[nodiscard]] double SeabedDepth(const Scenario::Seabed& seabed, double north, double east);
+[[nodiscard]] double SeabedDepth(const Scenario::Seabed& seabed, const Eigen::Vector2d& p_W);
 
 }  // namespace limpet

@@ -50,20 +50,20 @@ Seabed::Seabed(const Scenario::Seabed& scenario)
   }
 }
 
-double Seabed::Depth(double north, double east) const {
+double Seabed::Depth(const Eigen::Vector2d& p_W) const {
   std::array<double, kWaves> waves{};
   for (std::size_t i = 0; i < kWaves; ++i) {
-    waves[i] = CosOfTurns(turns_north_[i] * north + turns_east_[i] * east + phase_[i]);
+    waves[i] = CosOfTurns(turns_north_[i] * p_W.x() + turns_east_[i] * p_W.y() + phase_[i]);
   }
   double relief = 0.0;
   for (const double wave : waves) {
     relief += wave;
   }
-  return depth_ + slope_north_ * north + slope_east_ * east + amplitude_ * relief;
+  return depth_ + slope_north_ * p_W.x() + slope_east_ * p_W.y() + amplitude_ * relief;
 }
 
-double SeabedDepth(const Scenario::Seabed& seabed, double north, double east) {
-  return Seabed(seabed).Depth(north, east);
+double SeabedDepth(const Scenario::Seabed& seabed, const Eigen::Vector2d& p_W) {
+  return Seabed(seabed).Depth(p_W);
 }
 
 }  // namespace limpet

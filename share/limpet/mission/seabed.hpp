@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <Eigen/Core>
+
 #include "limpet/mission/scenario.hpp"
 
 namespace limpet {
@@ -15,7 +17,7 @@ class Seabed {
  public:
   explicit Seabed(const Scenario::Seabed& scenario);
   /// NED depth [m] at (north, east) [m].
-  [[nodiscard]] double Depth(double north, double east) const;
+  [[nodiscard]] double Depth(const Eigen::Vector2d& p_W) const;
 
  private:
   static constexpr std::size_t kWaves = 12;

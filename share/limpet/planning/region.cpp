@@ -78,10 +78,10 @@ Region::Region(const SurveyArea& area, const KeptOff& kept_off, std::vector<Fenc
   east_max_ = free_->high().y();
 }
 
-bool Region::Contains(double north, double east) const {
-  if (free_) return free_->Contains({north, east});
-  return north >= north_min_ - kTouch && north <= north_max_ + kTouch &&
-         east >= east_min_ - kTouch && east <= east_max_ + kTouch;
+bool Region::Contains(const PlanePoint& at) const {
+  if (free_) return free_->Contains(at);
+  return at.x() >= north_min_ - kTouch && at.x() <= north_max_ + kTouch &&
+         at.y() >= east_min_ - kTouch && at.y() <= east_max_ + kTouch;
 }
 
 bool Region::Contains(const Pose2& from, const PathSegment& segment) const {
@@ -104,7 +104,7 @@ bool Region::IsInRectangle(const Pose2& from, const PathSegment& segment) const 
       const double radius = 1.0 / segment.curvature;
       const double north = from.north + radius * (std::sin(heading) - std::sin(from.yaw));
       const double east = from.east + radius * (std::cos(from.yaw) - std::cos(heading));
-      if (!Contains(north, east)) {
+      if (!Contains(PlanePoint(north, east))) {
         return false;
       }
     }

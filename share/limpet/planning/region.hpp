@@ -29,8 +29,10 @@ class Region {
   Region(const SurveyArea& area, Meters allowance, std::vector<Fence> obstacles = {});
   Region(const SurveyArea& area, const KeptOff& kept_off, std::vector<Fence> obstacles);
 
-  [[nodiscard]] bool Contains(double north, double east) const;
-  [[nodiscard]] bool Contains(const Pose2& pose) const { return Contains(pose.north, pose.east); }
+  [[nodiscard]] bool Contains(const PlanePoint& at) const;
+  [[nodiscard]] bool Contains(const Pose2& pose) const {
+    return Contains(PlanePoint(pose.north, pose.east));
+  }
   /// Exact for arcs and lines, not sampled.
   [[nodiscard]] bool Contains(const DubinsPath& path) const;
   [[nodiscard]] bool Contains(const Pose2& from, const PathSegment& segment) const;

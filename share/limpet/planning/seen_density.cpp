@@ -73,9 +73,9 @@ SeenDensity::SeenDensity(const Ground& ground)
   }
 }
 
-double SeenDensity::At(double north, double east) const {
-  const int row = std::clamp(static_cast<int>((north - north_min_) / cell_m_), 0, rows_ - 1);
-  const int column = std::clamp(static_cast<int>((east - east_min_) / cell_m_), 0, columns_ - 1);
+double SeenDensity::At(const Eigen::Vector2d& p_W) const {
+  const int row = std::clamp(static_cast<int>((p_W.x() - north_min_) / cell_m_), 0, rows_ - 1);
+  const int column = std::clamp(static_cast<int>((p_W.y() - east_min_) / cell_m_), 0, columns_ - 1);
   return density_[static_cast<std::size_t>(row * columns_ + column)];
 }
 
@@ -93,7 +93,7 @@ Pose2 SeenDensity::Sample(const Region& region, Random& random, int tries) const
     pose = {.north = random.Uniform(north.low, north.high),
             .east = random.Uniform(east.low, east.high),
             .yaw = random.Uniform(-std::numbers::pi, std::numbers::pi)};
-    if (random.Chance(1.0 - At(pose.north, pose.east))) {
+    if (random.Chance(1.0 - At({pose.north, pose.east}))) {
       break;
     }
   }

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limpet/core/random.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/planning/region.hpp"
@@ -19,7 +21,7 @@ class SeenDensity {
  public:
   explicit SeenDensity(const Ground& ground);
   /// Density at a place, 0 (nothing seen near by) to 1 (the most seen place).
-  [[nodiscard]] double At(double north, double east) const;
+  [[nodiscard]] double At(const Eigen::Vector2d& p_W) const;
   /// A pose inside the region, accepted with probability 1 - At; bounded: after `tries` the last
   /// one drawn.
   [[nodiscard]] Pose2 Sample(const Region& region, Random& random, int tries = 32) const;

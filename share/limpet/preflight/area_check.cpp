@@ -118,7 +118,7 @@ void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const 
     found.geometry.push_back({where, object.opi.name, object.session + " " + text});
   };
   const SurveyArea& area = survey.area;
-  if (survey.Outside(place.x(), place.y()) > 0.0) {
+  if (survey.Outside(place.head<2>()) > 0.0) {
     refuse(fmt::format("[{:g}, {:g}] is outside the area: {}north {:g} to {:g}, east {:g} to {:g}",
                        place.x(), place.y(), area.outline ? "a polygon within " : "",
                        area.north_min, area.north_max, area.east_min, area.east_max));
@@ -130,7 +130,7 @@ void CheckPlace(const MissionReading& reading, const SurveyFacts& survey, const 
                        is_inside ? "in a keep-out zone" : "on the border of the area"));
     return;
   }
-  const double down = seabed.Depth(place.x(), place.y());
+  const double down = seabed.Depth(place.head<2>());
   const double height = down - place.z();
   if (height < -opi.radius_m || place.z() < opi.radius_m) {
     refuse(fmt::format("depth {:g} is not between the surface and the seabed at {:.2f} m",

@@ -52,7 +52,7 @@ void AddTransit(const MissionReading& reading, const SurveyFacts& survey, Ways& 
       at = next;
     }
   }
-  ways.transit = by_way_points + survey.Outside(at.x(), at.y());
+  ways.transit = by_way_points + survey.Outside(at);
   double farthest = 0.0;
   for (const PlanePoint& corner : shape->outline().corners())
     farthest = std::max(farthest, (corner - at).norm());

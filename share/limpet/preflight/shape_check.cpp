@@ -77,7 +77,7 @@ void CheckWayIn(const MissionReading& reading, const SurveyFacts& survey, const 
   if (const auto entry = NearestRoom(*region.free_space(), last, survey.turning_radius)) {
     way.push_back(*entry);
   }
-  if (region.Contains({from.x(), from.y(), 0.0})) return;
+  if (region.Contains(from)) return;
   PlanePoint at = from;
   for (const PlanePoint& next : way) {
     const PlanePoint leg = next - at;

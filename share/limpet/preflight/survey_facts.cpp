@@ -62,8 +62,8 @@ void TakeArea(const MissionReading& reading, SurveyFacts& facts) {
 
 }  // namespace
 
-double SurveyFacts::Outside(double north, double east) const {
-  return SurveyShape::Of(area)->OutsideArea({north, east});
+double SurveyFacts::Outside(const Eigen::Vector2d& p_W) const {
+  return SurveyShape::Of(area)->OutsideArea(p_W);
 }
 
 std::optional<SurveyFacts> ReadSurveyFacts(const MissionReading& reading) {

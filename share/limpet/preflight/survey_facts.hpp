@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "limpet/core/camera_model.hpp"
 #include "limpet/planning/ground.hpp"
 #include "limpet/preflight/mission_reading.hpp"
@@ -33,7 +35,7 @@ struct SurveyFacts {
     return outline.is_default ? north_max : outline;
   }
   /// How far a point is outside the area [m]; 0 inside. REQUIRES: no problem.
-  [[nodiscard]] double Outside(double north, double east) const;
+  [[nodiscard]] double Outside(const Eigen::Vector2d& p_W) const;
 };
 
 /// Nothing if the mission does not launch both pSurvey and pHelm.

@@ -74,7 +74,7 @@ std::optional<UnseenShare> UnseenGround(const SurveyFacts& survey, const Region&
   const FreeSpace& space = *region.free_space();
   const std::vector<std::uint8_t> largest = RoomToTurn(space, survey.turning_radius);
   // Who comes from outside is led to the largest room.
-  const std::vector<std::uint8_t> first = start && region.Contains(start->x(), start->y())
+  const std::vector<std::uint8_t> first = start && region.Contains(*start)
                                               ? RoomToTurnFrom(space, *start, survey.turning_radius)
                                               : largest;
   const auto& [room, passage] = JoinRooms(space, first, survey.turning_radius);

@@ -69,7 +69,7 @@ double Reach(const std::vector<double>& values, double least) {
 std::vector<Point> PointsOf(const MapAxes& map, const std::vector<SmoothedPose>& poses) {
   std::vector<Point> points;
   for (const SmoothedPose& pose : poses) {
-    points.push_back(map.At(pose.X_WB.p_WB.x(), pose.X_WB.p_WB.y()));
+    points.push_back(map.At(pose.X_WB.p_WB.head<2>()));
   }
   return Simplified(points, 0.3);
 }
@@ -139,7 +139,7 @@ std::string NavMapPlot(const ReplayResult& result, const std::string& name) {
   map.canvas().Polyline(PointsOf(map, result.reckoned), kDeadReckoning);
   map.canvas().Polyline(PointsOf(map, result.smoothed), kTrack);
   for (const Landmark& landmark : result.landmarks) {
-    const Point at = map.At(landmark.object.p_W.x(), landmark.object.p_W.y());
+    const Point at = map.At(landmark.object.p_W.head<2>());
     const Eigen::Matrix3d& S = landmark.object.cov_W;
     DrawCovariance(map.canvas(), at, 3.0 * map.pixels_per_metre(), {S(0, 0), S(0, 1), S(1, 1)},
                    kEllipse);

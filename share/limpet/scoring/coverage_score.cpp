@@ -84,7 +84,7 @@ class SampleBands {
 bool AreBetween(const std::vector<UprightBody>& bodies, const Eigen::Vector3d& eye_W,
                 const Eigen::Vector3d& place_W) {
   return std::ranges::any_of(bodies, [&](const UprightBody& body) {
-    return !body.Covers(place_W.x(), place_W.y()) && body.IsBetween(eye_W, place_W);
+    return !body.Covers(place_W.head<2>()) && body.IsBetween(eye_W, place_W);
   });
 }
 
@@ -122,7 +122,7 @@ Eigen::Vector3d SampleBands::Draw(int row, int column, double height) {
   const double column_m = (area_.east_max - area_.east_min) / columns_;
   const double north = area_.north_min + (row + random_.Uniform(0.0, 1.0)) * row_m;
   const double east = area_.east_min + (column + random_.Uniform(0.0, 1.0)) * column_m;
-  const double seabed = bottom_.Depth(north, east);
+  const double seabed = bottom_.Depth({north, east});
   deepest_ = std::max(deepest_, seabed);
   return {north, east, seabed - height};
 }
@@ -154,7 +154,7 @@ void SampleBands::LeaveOutUnwanted(Sample& sample) {
 bool SampleBands::CountPlace(const Eigen::Vector3d& place, double& wanted, double& stood_on) const {
   if (shape_ && !shape_->Wants(place.head<2>())) return false;
   const bool is_stood_on = std::ranges::any_of(
-      standing_, [&place](const UprightBody& body) { return body.Covers(place.x(), place.y()); });
+      standing_, [&place](const UprightBody& body) { return body.Covers(place.head<2>()); });
   (is_stood_on ? stood_on : wanted) += 1.0;
   return !is_stood_on;
 }
@@ -250,7 +250,7 @@ std::vector<Pose> MappedDive(const SurveyFrames& frames, const Scenario& scenari
   const Seabed bottom(scenario.seabed);
   std::vector<Pose> mapped;
   for (const Pose& X_WB : frames.dive_X_WB) {
-    const double depth = bottom.Depth(X_WB.p_WB.x(), X_WB.p_WB.y());
+    const double depth = bottom.Depth(X_WB.p_WB.head<2>());
     if (depth - X_WB.p_WB.z() <= settings.highest_view_m) mapped.push_back(X_WB);
   }
   return mapped;

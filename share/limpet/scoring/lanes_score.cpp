@@ -69,7 +69,7 @@ SurveyFrames FramesAlong(const DubinsPath& path, const SurveyBesideLanes& beside
   frames.dive_X_WB = beside.dive_X_WB;
   const Seabed seabed(scenario.seabed);
   path.Sample(beside.speed / settings.frame_rate_hz, [&](const Pose2& pose, double way) {
-    const double down = seabed.Depth(pose.north, pose.east) - settings.altitude_m;
+    const double down = seabed.Depth({pose.north, pose.east}) - settings.altitude_m;
     frames.path_m.push_back(way);
     frames.time_s.push_back(way / beside.speed);
     frames.X_WB.push_back({{pose.north, pose.east, down}, 0.0, 0.0, pose.yaw});

@@ -235,7 +235,7 @@ double GridRecord::SeenFloor() const {
 }
 
 bool GridRecord::HasInspected(const Eigen::Vector3d& p_W) const {
-  const std::optional<GridPlace> place = GridPlaceOf(frame, p_W.x(), p_W.y());
+  const std::optional<GridPlace> place = GridPlaceOf(frame, p_W.head<2>());
   if (!place) return false;
   const SeenCell& cell = cells.At(place->row, place->column);
   const double height = static_cast<double>(cell.seabed_down) - p_W.z();

@@ -22,12 +22,12 @@ std::optional<double> ToSphere(const SoundScene::Sphere& sphere, const Eigen::Ve
 
 }  // namespace
 
-SoundScene::SoundScene(std::function<double(double, double)> seabed, std::vector<Sphere> spheres,
-                       std::vector<UprightBody> bodies)
+SoundScene::SoundScene(std::function<double(const Eigen::Vector2d& p_W)> seabed,
+                       std::vector<Sphere> spheres, std::vector<UprightBody> bodies)
     : seabed_(std::move(seabed)), spheres_(std::move(spheres)), bodies_(std::move(bodies)) {}
 
 double SoundScene::Below(const Eigen::Vector3d& at_W) const {
-  return seabed_(at_W.x(), at_W.y()) - at_W.z();
+  return seabed_(at_W.head<2>()) - at_W.z();
 }
 
 /// Goes on by steps until it is in the seabed, then halves the last one.
@@ -71,7 +71,7 @@ double SoundScene::SlopeAlong(const Eigen::Vector3d& origin_W, const Eigen::Vect
   const Eigen::Vector2d at = (origin_W + range * direction_W).head<2>();
   const Eigen::Vector2d way = direction_W.head<2>().normalized();
   const Eigen::Vector2d far = at + kReach * way, near = at - kReach * way;
-  return (seabed_(far.x(), far.y()) - seabed_(near.x(), near.y())) / (2.0 * kReach);
+  return (seabed_(far) - seabed_(near)) / (2.0 * kReach);
 }
 
 std::optional<double> SoundScene::Range(const Eigen::Vector3d& origin_W,

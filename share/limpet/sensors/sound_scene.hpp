@@ -18,7 +18,7 @@ class SoundScene {
     Eigen::Vector3d center_W;
     double radius = 0.5;
   };
-  SoundScene(std::function<double(double north, double east)> seabed, std::vector<Sphere> spheres,
+  SoundScene(std::function<double(const Eigen::Vector2d& p_W)> seabed, std::vector<Sphere> spheres,
              std::vector<UprightBody> bodies = {});
 
   /// Distance [m] along a ray (`direction_W` of unit length) to what it meets first, if that lies
@@ -40,7 +40,7 @@ class SoundScene {
   /// How far the seabed is below a place [m].
   [[nodiscard]] double Below(const Eigen::Vector3d& at_W) const;
 
-  std::function<double(double, double)> seabed_;
+  std::function<double(const Eigen::Vector2d&)> seabed_;
   std::vector<Sphere> spheres_;
   std::vector<UprightBody> bodies_;
 };

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace limpet {
 
 /// A place on the viewer's map [m].
@@ -17,8 +19,8 @@ struct MapPoint {
   double y = 0.0;  ///< north
   bool operator==(const MapPoint&) const = default;
 };
-[[nodiscard]] inline MapPoint MapPointOf(double north, double east) {
-  return {.x = east, .y = north};
+[[nodiscard]] inline MapPoint MapPointOf(const Eigen::Vector2d& p_W) {
+  return {.x = p_W.y(), .y = p_W.x()};
 }
 
 struct PointShape {

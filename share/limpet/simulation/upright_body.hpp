@@ -30,7 +30,7 @@ class UprightBody {
   /// How far a place is from it [m]; 0 within.
   [[nodiscard]] double Distance(const Eigen::Vector3d& at_W) const;
   /// Whether it stands on this ground.
-  [[nodiscard]] bool Covers(double north, double east) const { return Aside({north, east}) <= 0.0; }
+  [[nodiscard]] bool Covers(const Eigen::Vector2d& p_W) const { return Aside(p_W) <= 0.0; }
   [[nodiscard]] const Eigen::Vector2d& center_W() const { return center_W_; }
   /// Half of what it measures northwards and eastwards [m]; a column has its radius twice.
   [[nodiscard]] const Eigen::Vector2d& half_size() const { return half_size_; }

@@ -57,7 +57,7 @@ void DrawRegion(const Site& site, MapAxes& map) {
   const auto draw = [&](const std::vector<PlanePoint>& border) {
     std::vector<SvgCanvas::Point> line;
     for (const PlanePoint& at : border)
-      line.push_back(map.At(at.x(), at.y()));
+      line.push_back(map.At(at));
     if (line.size() > 1) map.canvas().Polyline(line, thin);
   };
   if (shape.is_plain()) {
@@ -122,9 +122,9 @@ std::string SiteSvg(const Site& site) {
   map.Outline(site.area);
   DrawRegion(site, map);
   std::vector<SvgCanvas::Point> way;
-  if (site.start) way.push_back(map.At(site.start->x(), site.start->y()));
+  if (site.start) way.push_back(map.At(*site.start));
   for (const PlanePoint& at : region.transit())
-    way.push_back(map.At(at.x(), at.y()));
+    way.push_back(map.At(at));
   if (way.size() > 1) map.canvas().Polyline(way, {.stroke = palette::kBlue, .width = 1.5});
   if (site.start) {
     map.canvas().Circle(way.front(), 5.0, {.fill = palette::kVermillion});

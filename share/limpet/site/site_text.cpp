@@ -20,7 +20,7 @@ char LetterAt(const SurveyShape& shape, const Region& region, const PlanePoint& 
       shape.zones(), [&at](const SimplePolygon& zone) { return zone.Contains(at); });
   if (is_in_zone) return '#';
   if (shape.outline().Contains(at)) return ':';
-  return region.Contains(at.x(), at.y()) ? '.' : ' ';
+  return region.Contains(at) ? '.' : ' ';
 }
 
 /// The area drawn by letters, north up.

@@ -116,7 +116,7 @@ std::string PlacesText(const std::vector<PlanePoint>& places) {
   std::vector<MapPoint> points;
   points.reserve(places.size());
   for (const PlanePoint& place : places)
-    points.push_back(MapPointOf(place.x(), place.y()));
+    points.push_back(MapPointOf(place));
   return "{" + PointsText(points) + "}";
 }
 

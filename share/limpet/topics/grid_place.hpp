@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "limpet/topics/mapping.hpp"
 
 namespace limpet {
@@ -15,10 +17,10 @@ struct GridPlace {
 
 /// The cell that holds a place in W [m]; its south and west edges belong to it, its others do not.
 /// Nothing outside the grid, in a grid without cells, or for what is no number.
-[[nodiscard]] inline std::optional<GridPlace> GridPlaceOf(const GridFrame& frame, double north,
-                                                          double east) {
-  const double row = std::floor((north - frame.north_min) / frame.cell_m);
-  const double column = std::floor((east - frame.east_min) / frame.cell_m);
+[[nodiscard]] inline std::optional<GridPlace> GridPlaceOf(const GridFrame& frame,
+                                                          const Eigen::Vector2d& p_W) {
+  const double row = std::floor((p_W.x() - frame.north_min) / frame.cell_m);
+  const double column = std::floor((p_W.y() - frame.east_min) / frame.cell_m);
   const bool is_inside = row >= 0.0 && row < frame.rows && column >= 0.0 && column < frame.columns;
   if (!is_inside) return std::nullopt;
   return GridPlace{.row = static_cast<int>(row), .column = static_cast<int>(column)};

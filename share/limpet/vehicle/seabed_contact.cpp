@@ -34,12 +34,12 @@ double SoftPenetration(double depth, double width) {
 }
 
 Wrench SeabedContactWrench(const ContactParams& params,
-                           const std::function<double(double, double)>& seabed,
+                           const std::function<double(const Eigen::Vector2d& p_W)>& seabed,
                            const ContactState& state) {
   Wrench total = Wrench::Zero();
   for (const Vector3d& skid_B : params.skids_B) {
     const Vector3d skid_W = state.p_WB + state.R_WB * skid_B;
-    const double penetration = skid_W.z() - seabed(skid_W.x(), skid_W.y());
+    const double penetration = skid_W.z() - seabed(skid_W.head<2>());
     if (penetration < -kFarInWidths * params.softness_m) continue;
     const Vector3d v_W = state.v_WB_W + state.R_WB * state.omega_B.cross(skid_B);
     const Vector3d force_B = state.R_WB.transpose() * SkidForce(params, penetration, v_W);

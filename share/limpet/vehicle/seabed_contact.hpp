@@ -23,8 +23,8 @@ struct ContactState {
 /// Wrench of the seabed on the skids in body axes. Normal force (taken as vertical: slopes are
 /// gentle) of a soft spring with Hunt-Crossley damping, and friction that is viscous near rest.
 /// Smooth everywhere, and never pulls: a hard penalty makes the solver chatter.
-[[nodiscard]] Wrench SeabedContactWrench(const ContactParams& params,
-                                         const std::function<double(double, double)>& seabed,
-                                         const ContactState& state);
+[[nodiscard]] Wrench SeabedContactWrench(
+    const ContactParams& params, const std::function<double(const Eigen::Vector2d& p_W)>& seabed,
+    const ContactState& state);
 
 }  // namespace limpet

@@ -109,7 +109,7 @@ VehicleMotion VehicleModel::Motion(const StateVector& x,
 }
 
 double VehicleModel::Clearance(const StateVector& x) const {
-  return seabed_(x(kPosition), x(kPosition + 1)) - x(kPosition + 2) -
+  return seabed_({x(kPosition), x(kPosition + 1)}) - x(kPosition + 2) -
          params_.contact.skids_B.front().z();
 }
 

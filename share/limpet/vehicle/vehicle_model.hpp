@@ -12,7 +12,7 @@
 namespace limpet {
 
 /// NED depth of the seabed at (north, east) [m].
-using SeabedFunction = std::function<double(double north, double east)>;
+using SeabedFunction = std::function<double(const Eigen::Vector2d& p_W)>;
 
 /// Layout of the state: NED position, quaternion R_WB (scalar first), velocity through the water
 /// and angular rate in body axes, thrust of each thruster [N], zero of those that the vehicle has

@@ -139,8 +139,8 @@ void SceneRenderer::DropShadow(const View& view, const Sphere& sphere) {
     return;  // farther than the camera can see a shadow
   }
   // Light from the whole sky: the higher the sphere, the wider and fainter its shadow.
-  const double height = std::max(
-      relief_.At(sphere.p_W.x(), sphere.p_W.y()).depth - sphere.p_W.z() - sphere.radius, 0.0);
+  const double height =
+      std::max(relief_.At(sphere.p_W.head<2>()).depth - sphere.p_W.z() - sphere.radius, 0.0);
   const double spread = sphere.radius + 0.5 * height;
   const auto darkness =
       static_cast<float>(0.55 * sphere.radius * sphere.radius / (spread * spread));

@@ -9,7 +9,7 @@ SeabedPoint SeabedRays::Meet(const Eigen::Vector3d& ray_W, double& distance) con
   SeabedPoint met;
   for (int step = 0; step < 2; ++step) {
     const Eigen::Vector3d p_W = from_W_ + distance * ray_W;
-    met.ground = relief_->At(p_W.x(), p_W.y());
+    met.ground = relief_->At(p_W.head<2>());
     const SeabedRelief::Surface& ground = met.ground;
     const double closing =
         ray_W.z() - ground.slope_north * ray_W.x() - ground.slope_east * ray_W.y();

@@ -16,7 +16,7 @@ const SeabedRelief::Patch& SeabedRelief::PatchAt(int north_index, int east_index
     for (int i = 0; i < kNodes; ++i) {
       for (int j = 0; j < kNodes; ++j) {
         patch.push_back(static_cast<float>(
-            depth_((north_index * kCells + i) * kSpacing, (east_index * kCells + j) * kSpacing)));
+            depth_({(north_index * kCells + i) * kSpacing, (east_index * kCells + j) * kSpacing})));
       }
     }
   }
@@ -25,9 +25,9 @@ const SeabedRelief::Patch& SeabedRelief::PatchAt(int north_index, int east_index
   return patch;
 }
 
-SeabedRelief::Surface SeabedRelief::At(double north, double east) {
-  const double n = north / kSpacing;
-  const double e = east / kSpacing;
+SeabedRelief::Surface SeabedRelief::At(const Eigen::Vector2d& p_W) {
+  const double n = p_W.x() / kSpacing;
+  const double e = p_W.y() / kSpacing;
   const double cell_n = std::floor(n);
   const double cell_e = std::floor(e);
   const int patch_n = static_cast<int>(std::floor(cell_n / kCells));

@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace limpet {
 
 /// Depth of the seabed [m] at (north, east) [m].
-using SeabedDepthFunction = std::function<double(double north, double east)>;
+using SeabedDepthFunction = std::function<double(const Eigen::Vector2d& p_W)>;
 
 /// Remembers a seabed on a lattice, so that a costly depth function is asked once per node. Grows
 /// where it is looked at. Not thread-safe.
@@ -24,7 +26,7 @@ class SeabedRelief {
     double slope_north = 0.0;
     double slope_east = 0.0;
   };
-  [[nodiscard]] Surface At(double north, double east);
+  [[nodiscard]] Surface At(const Eigen::Vector2d& p_W);
 
  private:
   static constexpr int kCells = 32;

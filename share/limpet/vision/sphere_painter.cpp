@@ -38,8 +38,7 @@ SpherePainter::SpherePainter(const CameraModel& camera, const Pose& X_WB, const 
     transmission_[c] = std::exp(-water.attenuation_per_m[c] * image.range);
   }
   // From above, the seabed can only hide what is near the equator or lower.
-  touches_seabed_ =
-      sphere.p_W.z() + 0.3 * sphere.radius > relief.At(sphere.p_W.x(), sphere.p_W.y()).depth;
+  touches_seabed_ = sphere.p_W.z() + 0.3 * sphere.radius > relief.At(sphere.p_W.head<2>()).depth;
 }
 
 int SpherePainter::first_row() const {
@@ -64,7 +63,7 @@ SpherePainter::Sample SpherePainter::Trace(double x, double y) const {
 
 bool SpherePainter::IsBuried(const Eigen::Vector3d& hit) {
   const Eigen::Vector3d p_W = camera_W_ + R_WC_ * hit;
-  return p_W.z() > relief_->At(p_W.x(), p_W.y()).depth;
+  return p_W.z() > relief_->At(p_W.head<2>()).depth;
 }
 
 void SpherePainter::PaintRow(int row, double vignette_curve, LinearRow& linear) {

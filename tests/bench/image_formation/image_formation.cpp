@@ -28,8 +28,8 @@ namespace {
 
 constexpr double kDepth = 7.5;
 
-double Depth(double north, double east) {
-  return kDepth + 0.07 * std::sin(1.3 * north) * std::cos(0.8 * east);
+double Depth(const Eigen::Vector2d& p_W) {
+  return kDepth + 0.07 * std::sin(1.3 * p_W.x()) * std::cos(0.8 * p_W.y());
 }
 
 Pose PoseOf(int frame, double altitude) {

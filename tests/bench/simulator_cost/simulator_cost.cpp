@@ -41,7 +41,7 @@ void RunModel(IntegratorKind kind, double seconds) {
   const Seabed seabed{Scenario::Seabed{}};
   VehicleSimulation simulation(
       VehicleModel(VehicleParams{}, {0.05, 0.0, 0.0},
-                   [&seabed](double north, double east) { return seabed.Depth(north, east); }),
+                   [&seabed](const Eigen::Vector2d& p_W) { return seabed.Depth(p_W); }),
       {}, kind);
   double sum = 0.0;
   for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {

@@ -56,7 +56,7 @@ cv::Mat MatOf(Image& image) { return {image.height_px, image.width_px, CV_8UC3, 
 
 std::vector<Image> Frames() {
   SceneRenderer renderer({.camera = {},
-                          .seabed_depth = [](double, double) { return 7.5; },
+                          .seabed_depth = [](const Eigen::Vector2d&) { return 7.5; },
                           .visibility_m = 6.0,
                           .seabed_seed = 2,
                           .noise_seed = 3});

@@ -22,7 +22,7 @@ class DetectVerb : public ::testing::Test {
  protected:
   DetectVerb() {
     SceneRenderer renderer({.camera = {},
-                            .seabed_depth = [](double, double) { return 7.5; },
+                            .seabed_depth = [](const Eigen::Vector2d&) { return 7.5; },
                             .visibility_m = 8.0,
                             .seabed_seed = 1,
                             .noise_seed = 2});

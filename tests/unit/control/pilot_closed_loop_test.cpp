@@ -21,7 +21,7 @@ class Vessel {
  public:
   explicit Vessel(const Eigen::Vector3d& current_W, const VehicleParams& built = {},
                   const VehicleParams& believed = {})
-      : simulation_(VehicleModel(built, current_W, [](double, double) { return 7.5; }), {},
+      : simulation_(VehicleModel(built, current_W, [](const Eigen::Vector2d&) { return 7.5; }), {},
                     IntegratorKind::kRk4),
         pilot_(Pilot::Gains{}, believed),
         nav_(Truth()) {

@@ -16,7 +16,7 @@ struct Scene {
 
   explicit Scene(double visibility_m = 8.0)
       : renderer({.camera = {},
-                  .seabed_depth = [](double, double) { return 7.5; },
+                  .seabed_depth = [](const Eigen::Vector2d&) { return 7.5; },
                   .visibility_m = visibility_m,
                   .seabed_seed = 2,
                   .noise_seed = 3}) {}

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limpet/imaging/picture_renderer.hpp"
 #include "limpet/vision/detector_registry.hpp"
 
@@ -18,7 +20,7 @@ struct SeaScene {
   SeaScene(const std::string& detector_name, const std::string& seabed, double visibility_m = 8.0)
       : detector(MakeDetector(detector_name)) {
     PictureSettings settings{
-        .scene = {.camera = {}, .seabed_depth = [](double, double) { return kDepth; }},
+        .scene = {.camera = {}, .seabed_depth = [](const Eigen::Vector2d&) { return kDepth; }},
         .image = {}};
     settings.scene.visibility_m = visibility_m;
     settings.image.look = "real";

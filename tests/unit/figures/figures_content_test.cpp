@@ -146,9 +146,8 @@ TEST(ObjectsFigure, HasARingOfTrueSizeAroundEveryTrueObject) {
     const auto place = opi.Place("change");
     if (!place) continue;
     ++there;
-    EXPECT_EQ(
-        CirclesAt(elements, map.At(place->x(), place->y()), opi.radius_m * map.pixels_per_metre()),
-        1U)
+    EXPECT_EQ(CirclesAt(elements, map.At(place->head<2>()), opi.radius_m * map.pixels_per_metre()),
+              1U)
         << opi.name;
   }
   EXPECT_EQ(there, 3);
@@ -162,7 +161,7 @@ TEST(ObjectsFigure, PutsEachClusterWhereTheMapHasItAndNamesItsObject) {
   for (const OpiScore& opi : drawn.score.opis.found) {
     EXPECT_THAT(texts, Contains(opi.truth));
     const Eigen::Vector3d& centroid_W = opi.belief.centroid_W;
-    EXPECT_EQ(CirclesAt(elements, map.At(centroid_W.x(), centroid_W.y()), 2.6), 1U);
+    EXPECT_EQ(CirclesAt(elements, map.At(centroid_W.head<2>()), 2.6), 1U);
   }
   EXPECT_EQ(drawn.score.opis.found.size(), 3U);
   EXPECT_THAT(texts, Contains("Objects found: 3 of 3, 0 invented"));
@@ -188,7 +187,7 @@ TEST(ChangeFigure, RingsADecisionThatIsWrong) {
   const auto elements =
       ReadSvg(ChangeFigure({drawn.record, wrong, drawn.settings, drawn.scenario}).svg);
   const Eigen::Vector3d place = *wrong.opis.changes[0].p_W;
-  EXPECT_EQ(CirclesAt(elements, map.At(place.x(), place.y()), 14.0), 1U);
+  EXPECT_EQ(CirclesAt(elements, map.At(place.head<2>()), 14.0), 1U);
   EXPECT_THAT(TextsIn(elements), Contains(HasSubstr("wrong: confirmed")));
   EXPECT_THAT(TextsIn(elements), Contains("What changed: 4 of 5 statuses right"));
 }

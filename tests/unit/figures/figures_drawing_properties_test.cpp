@@ -128,7 +128,7 @@ TEST(MapAxesProperties, HoldAreaAndMarginWhateverTheirShape) {
     const SvgElement picture = ReadSvg(map.Finish()).at(0);
     for (const double north : {area.north_min - area.margin, area.north_max + area.margin}) {
       for (const double east : {area.east_min - area.margin, area.east_max + area.margin}) {
-        const SvgCanvas::Point at = map.At(north, east);
+        const SvgCanvas::Point at = map.At({north, east});
         EXPECT_GE(at.minCoeff(), 0.0);
         EXPECT_LE(at.x(), picture.Number("width"));
         EXPECT_LE(at.y(), picture.Number("height"));

@@ -82,14 +82,14 @@ TEST(Simplified, KeepsEndsAndCornersOnly) {
 
 TEST(MapAxes, HasTheSameScaleBothWays) {
   const MapAxes map({-15.0, 15.0, -18.0, 18.0, 2.0, 2.0}, "t", "s");
-  const SvgCanvas::Point origin = map.At(0.0, 0.0);
-  EXPECT_NEAR((map.At(1.0, 0.0) - origin).norm(), (map.At(0.0, 1.0) - origin).norm(), 1e-12);
+  const SvgCanvas::Point origin = map.At({0.0, 0.0});
+  EXPECT_NEAR((map.At({1.0, 0.0}) - origin).norm(), (map.At({0.0, 1.0}) - origin).norm(), 1e-12);
 }
 
 TEST(MapAxes, HasNorthUpAndEastRight) {
   const MapAxes map({-15.0, 15.0, -18.0, 18.0, 2.0, 2.0}, "t", "s");
-  EXPECT_LT(map.At(1.0, 0.0).y(), map.At(0.0, 0.0).y());
-  EXPECT_GT(map.At(0.0, 1.0).x(), map.At(0.0, 0.0).x());
+  EXPECT_LT(map.At({1.0, 0.0}).y(), map.At({0.0, 0.0}).y());
+  EXPECT_GT(map.At({0.0, 1.0}).x(), map.At({0.0, 0.0}).x());
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_F(SurveyMirrorTest, PathsKeepOffObstaclesUntilTheyAreNone) {
   const std::vector<Obstacle> pile{
       {.id = 1, .outline = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}}, .top = 0.0}};
   const auto is_free = [this](double north, double east) {
-    return mirror_.Snapshot(Seconds(0.0), {}, 0.0).region->Contains(north, east);
+    return mirror_.Snapshot(Seconds(0.0), {}, 0.0).region->Contains(PlanePoint(north, east));
   };
   mirror_.UpdateGround();
   EXPECT_TRUE(is_free(0.5, -1.0));
@@ -78,7 +78,7 @@ TEST_F(SurveyMirrorTest, ObstaclesKnownBeforeTheAreaCountOnceItIs) {
       {{.id = 1, .outline = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}, .top = 0.0}}));
   mirror.SetArea(MirroredArea());
   mirror.UpdateGround();
-  EXPECT_FALSE(mirror.Snapshot(Seconds(0.0), {}, 0.0).region->Contains(0.5, 0.8));
+  EXPECT_FALSE(mirror.Snapshot(Seconds(0.0), {}, 0.0).region->Contains(PlanePoint(0.5, 0.8)));
 }
 
 TEST_F(SurveyMirrorTest, NoticesObjectsThatCameWentOrWereDecided) {

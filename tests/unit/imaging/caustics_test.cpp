@@ -17,7 +17,7 @@ Moments MomentsOf(const Caustics::Layer& layer) {
   constexpr int kSide = 200;
   for (int i = 0; i < kSide; ++i) {
     for (int j = 0; j < kSide; ++j) {
-      const double light = layer.LightAt(0.0613 * i, 0.0591 * j);
+      const double light = layer.LightAt({0.0613 * i, 0.0591 * j});
       sum += light;
       sum2 += light * light;
     }
@@ -44,19 +44,20 @@ TEST(Caustics, MoveWithTimeAndRepeatWithTheSeed) {
   const Caustics one(0.4, 3);
   const Caustics same(0.4, 3);
   const Caustics other(0.4, 4);
-  EXPECT_EQ(one.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt(3.1, 2.2),
-            same.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt(3.1, 2.2));
-  EXPECT_NE(one.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt(3.1, 2.2),
-            one.At({0.0, 0.0, 2.0}, Seconds(1.7)).LightAt(3.1, 2.2));
-  EXPECT_NE(one.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt(3.1, 2.2),
-            other.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt(3.1, 2.2));
+  EXPECT_EQ(one.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt({3.1, 2.2}),
+            same.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt({3.1, 2.2}));
+  EXPECT_NE(one.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt({3.1, 2.2}),
+            one.At({0.0, 0.0, 2.0}, Seconds(1.7)).LightAt({3.1, 2.2}));
+  EXPECT_NE(one.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt({3.1, 2.2}),
+            other.At({0.0, 0.0, 2.0}, Seconds(1.5)).LightAt({3.1, 2.2}));
 }
 
 TEST(Caustics, DoNotDependOnWhereAFrameIsTaken) {
   const Caustics caustics(0.4, 3);
   for (const double place : {0.3, 7.9, -1234.5}) {
     const auto seen_from = [&](double north, double east) {
-      return caustics.At({north, east, 2.0}, Seconds(1.5)).LightAt(place + 1.0, 2.0 * place - 2.0);
+      return caustics.At({north, east, 2.0}, Seconds(1.5))
+          .LightAt({place + 1.0, 2.0 * place - 2.0});
     };
     EXPECT_NEAR(seen_from(place, 2.0 * place), seen_from(place - 3.0, 2.0 * place + 1.0), 2e-3);
   }
@@ -65,7 +66,7 @@ TEST(Caustics, DoNotDependOnWhereAFrameIsTaken) {
 TEST(Caustics, WithoutContrastAreFlat) {
   const Caustics none(0.0, 3);
   EXPECT_TRUE(none.At({0.0, 0.0, 2.0}, Seconds(0.0)).is_flat());
-  EXPECT_EQ(none.At({0.0, 0.0, 2.0}, Seconds(0.0)).LightAt(1.0, 1.0), 1.0F);
+  EXPECT_EQ(none.At({0.0, 0.0, 2.0}, Seconds(0.0)).LightAt({1.0, 1.0}), 1.0F);
 }
 
 }  // namespace

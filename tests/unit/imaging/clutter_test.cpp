@@ -14,7 +14,7 @@ struct Found {
 };
 
 Found In(const Clutter::Area& area, Clutter::Density density, std::uint64_t seed = 4) {
-  SeabedRelief relief([](double north, double) { return 7.0 + 0.01 * north; });
+  SeabedRelief relief([](const Eigen::Vector2d& p_W) { return 7.0 + 0.01 * p_W.x(); });
   Found found;
   Clutter(density, seed).Collect(area, relief, found.growth, found.litter);
   return found;

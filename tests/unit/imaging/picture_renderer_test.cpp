@@ -12,7 +12,8 @@ namespace {
 
 PictureSettings Real() {
   PictureSettings settings{
-      .scene = {.camera = {}, .seabed_depth = [](double, double) { return 7.5; }}, .image = {}};
+      .scene = {.camera = {}, .seabed_depth = [](const Eigen::Vector2d&) { return 7.5; }},
+      .image = {}};
   settings.image.look = "real";
   settings.image.seabed.kind = "sand";
   return settings;

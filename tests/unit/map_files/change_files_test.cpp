@@ -58,7 +58,7 @@ TEST(ChangeFiles, AnObjectIsOnTheMapWhereItIsOnEarth) {
   const auto json = nlohmann::json::parse(ChangesToGeoJson(RemovedAndNew(), datum));
   ASSERT_EQ(json["features"].size(), 2U);
   const auto& first = json["features"][0];
-  const GeoPoint place = LocalGrid(datum).At(100.0, 50.0);
+  const GeoPoint place = LocalGrid(datum).At({100.0, 50.0});
   EXPECT_NEAR(first["geometry"]["coordinates"][0], place.longitude_deg, 1e-8);
   EXPECT_NEAR(first["geometry"]["coordinates"][1], place.latitude_deg, 1e-8);
   EXPECT_EQ(first["properties"]["decided"], "removed");

@@ -21,7 +21,7 @@ TEST(DepthGrid, HasTheDepthOfEachColumnOfTheSeabed) {
   const DepthGrid grid = DepthGridOf(Slope());
   EXPECT_EQ(grid.frame.rows, 10);
   EXPECT_EQ(grid.frame.columns, 2);
-  const auto cell = grid.At(1.1, 0.1);
+  const auto cell = grid.At({1.1, 0.1});
   ASSERT_TRUE(cell);
   EXPECT_NEAR(static_cast<double>(grid.down_m[*cell]), 8.1, 1e-3);
   EXPECT_NEAR(static_cast<double>(grid.sigma_m[*cell]), 0.2 / std::sqrt(12.0), 1e-3);
@@ -29,23 +29,23 @@ TEST(DepthGrid, HasTheDepthOfEachColumnOfTheSeabed) {
 
 TEST(DepthGrid, KnowsNothingBesideIt) {
   const DepthGrid grid = DepthGridOf(Slope());
-  EXPECT_FALSE(grid.At(-5.0, 0.1));
-  EXPECT_FALSE(grid.At(1.0, std::nan("")));
-  EXPECT_FALSE(DepthGridOf(SemanticOctree()).At(0.0, 0.0));
+  EXPECT_FALSE(grid.At({-5.0, 0.1}));
+  EXPECT_FALSE(grid.At({1.0, std::nan("")}));
+  EXPECT_FALSE(DepthGridOf(SemanticOctree()).At({0.0, 0.0}));
 }
 
 TEST(DepthGrid, AnObjectIsNotTheSeabed) {
   SemanticOctree octree = Slope();
   octree.Set({1.1, 0.1, 5.1}, {.occupied = 3.0F, .label = VoxelLabel::kConfirmed});
   const DepthGrid grid = DepthGridOf(octree);
-  EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At(1.1, 0.1)]), 8.1, 1e-3);
+  EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At({1.1, 0.1})]), 8.1, 1e-3);
 }
 
 TEST(DepthGrid, FollowsWhereMostBeamsEnded) {
   SemanticOctree octree = Slope();
   octree.Set({1.1, 0.1, 6.1}, {.occupied = 0.5F});  // a fish
   const DepthGrid grid = DepthGridOf(octree);
-  EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At(1.1, 0.1)]), 8.1, 1e-3);
+  EXPECT_NEAR(static_cast<double>(grid.down_m[*grid.At({1.1, 0.1})]), 8.1, 1e-3);
 }
 
 SessionMemory MemoryWith(const std::string& depths, const std::string& map) {
@@ -67,11 +67,11 @@ TEST(DepthGrid, IsAsFineAsTheSessionKeptIt) {
   EXPECT_EQ(grid->frame.rows, 6);
   EXPECT_EQ(grid->frame.columns, 6);
   EXPECT_EQ(grid->zero_sigma_m, 0.07);
-  const auto cell = grid->At(1.1, 0.1);
+  const auto cell = grid->At({1.1, 0.1});
   ASSERT_TRUE(cell);
   EXPECT_NEAR(static_cast<double>(grid->down_m[*cell]), 8.04, 1e-3);
   EXPECT_LT(static_cast<double>(grid->sigma_m[*cell]), 0.012);
-  EXPECT_FALSE(grid->At(1.5, 0.1));
+  EXPECT_FALSE(grid->At({1.5, 0.1}));
 }
 
 TEST(DepthGrid, OfAnOlderSessionIsThatOfItsVoxels) {

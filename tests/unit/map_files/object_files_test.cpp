@@ -35,7 +35,7 @@ TEST(ObjectFiles, GeoJsonHasLongitudeFirst) {
   const auto json = nlohmann::json::parse(ObjectsToGeoJson(session, *DatumOf(session.facts)));
   ASSERT_EQ(json["features"].size(), 2U);
   const auto& object = json["features"][0];
-  const GeoPoint place = LocalGrid({43.7210, 10.2830}).At(100.0, 50.0);
+  const GeoPoint place = LocalGrid({43.7210, 10.2830}).At({100.0, 50.0});
   EXPECT_NEAR(object["geometry"]["coordinates"][0], place.longitude_deg, 1e-8);
   EXPECT_NEAR(object["geometry"]["coordinates"][1], place.latitude_deg, 1e-8);
   EXPECT_EQ(object["properties"]["decided"], "new");

@@ -184,9 +184,9 @@ TEST(ObstacleOutline, HoldsEveryEchoAndIsConvex) {
     const auto outline = OutlineOf(group, 0.125);
     ASSERT_GE(outline.size(), 4U);
     for (const EchoCells::Cell& cell : group) {
-      EXPECT_EQ(Outside(outline, cell.p_W.x(), cell.p_W.y()), 0.0);
+      EXPECT_EQ(Outside(outline, cell.p_W.head<2>()), 0.0);
     }
-    EXPECT_GT(Outside(outline, 4.0, 0.0), 0.8);
+    EXPECT_GT(Outside(outline, {4.0, 0.0}), 0.8);
   }
 }
 
@@ -199,7 +199,7 @@ TEST(ObstacleOutline, AWallThatBendsIsSeveral) {
   const auto groups = GroupsOf(wall, 0.25);
   EXPECT_GE(groups.size(), 5U);
   for (const auto& group : groups) {
-    EXPECT_GT(Outside(OutlineOf(group, 0.125), 5.0, 5.0), 0.0);  // the water between its arms
+    EXPECT_GT(Outside(OutlineOf(group, 0.125), {5.0, 5.0}), 0.0);  // the water between its arms
   }
 }
 

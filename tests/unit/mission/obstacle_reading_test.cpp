@@ -20,11 +20,11 @@ TEST(ScenarioObstacles, AreColumnsAndBoxesThatStandOnTheSeabed) {
   const std::vector<UprightBody> bodies = BodiesOf(scenario);
   ASSERT_EQ(bodies.size(), 2U);
   EXPECT_NEAR(bodies[0].top(), -1.0, 1e-9);
-  EXPECT_TRUE(bodies[0].Covers(4.3, -3.0));
-  EXPECT_FALSE(bodies[0].Covers(4.3, -3.3));
+  EXPECT_TRUE(bodies[0].Covers({4.3, -3.0}));
+  EXPECT_FALSE(bodies[0].Covers({4.3, -3.3}));
   EXPECT_NEAR(bodies[1].top(), 5.0, 1e-9);
-  EXPECT_TRUE(bodies[1].Covers(22.9, 5.9));
-  EXPECT_FALSE(bodies[1].Covers(20.0, 6.1));
+  EXPECT_TRUE(bodies[1].Covers({22.9, 5.9}));
+  EXPECT_FALSE(bodies[1].Covers({20.0, 6.1}));
 }
 
 TEST(ScenarioObstacles, WhatIsWrongOfThemIsNamedWithItsLine) {

@@ -149,7 +149,7 @@ TEST(Scenario, SaysWhichFileCannotBeRead) {
 TEST(Seabed, SlopesDownTowardsItsDirection) {
   const Scenario::Seabed scenario{
       .depth_m = 10.0, .slope_deg = 45.0, .slope_toward_deg = 90.0, .roughness_m = 0.0, .seed = 1};
-  EXPECT_NEAR(SeabedDepth(scenario, 100.0, 3.0), 13.0, 1e-9);
+  EXPECT_NEAR(SeabedDepth(scenario, {100.0, 3.0}), 13.0, 1e-9);
 }
 
 TEST(Seabed, HasReliefOfTheGivenStandardDeviationAndNoMean) {
@@ -160,7 +160,7 @@ TEST(Seabed, HasReliefOfTheGivenStandardDeviationAndNoMean) {
     int count = 0;
     for (double north = -60.0; north < 60.0; north += 0.37) {
       for (double east = -60.0; east < 60.0; east += 0.41) {
-        const double relief = seabed.Depth(north, east) - 10.0;
+        const double relief = seabed.Depth({north, east}) - 10.0;
         sum += relief;
         squares += relief * relief;
         ++count;
@@ -174,18 +174,18 @@ TEST(Seabed, HasReliefOfTheGivenStandardDeviationAndNoMean) {
 TEST(Seabed, IsTheSameSurfaceBothWays) {
   const Scenario::Seabed scenario{.roughness_m = 0.1, .seed = 7};
   const Seabed seabed(scenario);
-  EXPECT_EQ(seabed.Depth(3.1, -4.7), SeabedDepth(scenario, 3.1, -4.7));
+  EXPECT_EQ(seabed.Depth({3.1, -4.7}), SeabedDepth(scenario, {3.1, -4.7}));
 }
 
 TEST(Seabed, DiffersBySeed) {
-  EXPECT_NE(SeabedDepth({.roughness_m = 0.1, .seed = 1}, 1.0, 1.0),
-            SeabedDepth({.roughness_m = 0.1, .seed = 2}, 1.0, 1.0));
+  EXPECT_NE(SeabedDepth({.roughness_m = 0.1, .seed = 1}, {1.0, 1.0}),
+            SeabedDepth({.roughness_m = 0.1, .seed = 2}, {1.0, 1.0}));
 }
 
 TEST(Seabed, IsSmooth) {
   const Seabed seabed({.roughness_m = 0.05, .seed = 1});
   for (double north = -5.0; north < 5.0; north += 0.01) {
-    EXPECT_NEAR(seabed.Depth(north, 1.0), seabed.Depth(north + 0.01, 1.0), 0.01);
+    EXPECT_NEAR(seabed.Depth({north, 1.0}), seabed.Depth({north + 0.01, 1.0}), 0.01);
   }
 }
 

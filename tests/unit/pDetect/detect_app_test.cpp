@@ -13,7 +13,7 @@ namespace {
 
 CameraFrame Picture(const std::vector<Sphere>& spheres) {
   static SceneRenderer renderer({.camera = {},
-                                 .seabed_depth = [](double, double) { return 7.5; },
+                                 .seabed_depth = [](const Eigen::Vector2d&) { return 7.5; },
                                  .visibility_m = 8.0,
                                  .seabed_seed = 1,
                                  .noise_seed = 2});

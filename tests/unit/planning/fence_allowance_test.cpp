@@ -102,9 +102,9 @@ TEST(FenceAllowance, KeepsThreeSigmasOffAZoneThatStandsAlone) {
   const KeptOff seen = fences.For(beside, Meters(0.5), {}, Meters(1.5));
   EXPECT_LE(seen.zones, Meters(1.5)) << "the ground along the zone is to be seen";
   const Region region(area, Kept(fences, beside, 0.5), {});
-  EXPECT_FALSE(region.Contains(7.2, 10.0));
-  EXPECT_TRUE(region.Contains(7.0, 10.0));
-  EXPECT_TRUE(region.Contains(-0.3, 10.0));
+  EXPECT_FALSE(region.Contains(PlanePoint(7.2, 10.0)));
+  EXPECT_TRUE(region.Contains(PlanePoint(7.0, 10.0)));
+  EXPECT_TRUE(region.Contains(PlanePoint(-0.3, 10.0)));
 }
 
 TEST(FenceAllowance, LeavesAVehicleNearTheBorderItsTurn) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "limpet/planning/region.hpp"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
+#include "limpet/planning/region.hpp"
 
 namespace limpet {
 namespace {
@@ -14,18 +13,18 @@ constexpr Meters kTurnRadius{3.0};
 const Region kRegion(SurveyArea{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0});
 
 TEST(Region, IsTheAreaAndItsMargin) {
-  EXPECT_TRUE(kRegion.Contains(16.9, 19.9));
-  EXPECT_FALSE(kRegion.Contains(17.1, 0.0));
+  EXPECT_TRUE(kRegion.Contains(PlanePoint(16.9, 19.9)));
+  EXPECT_FALSE(kRegion.Contains(PlanePoint(17.1, 0.0)));
 }
 
 TEST(Region, PathsKeepOffAnObstacleThatWasFound) {
   const SurveyArea area{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0};
   const SimplePolygon pile = SimplePolygon::Box({-0.5, -0.5}, {0.5, 0.5});
   const Region region(area, Meters(0.4), {{.polygon = pile, .distance = 1.5}});
-  EXPECT_FALSE(region.Contains(1.9, 0.0));
-  EXPECT_TRUE(region.Contains(2.1, 0.0));
-  EXPECT_TRUE(region.Contains(16.5, 0.0));
-  EXPECT_FALSE(region.Contains(16.7, 0.0));
+  EXPECT_FALSE(region.Contains(PlanePoint(1.9, 0.0)));
+  EXPECT_TRUE(region.Contains(PlanePoint(2.1, 0.0)));
+  EXPECT_TRUE(region.Contains(PlanePoint(16.5, 0.0)));
+  EXPECT_FALSE(region.Contains(PlanePoint(16.7, 0.0)));
   const DubinsPath through({-6.0, 1.0, 0.0}, {{0.0, 12.0}});
   const DubinsPath beside({-6.0, 2.5, 0.0}, {{0.0, 12.0}});
   EXPECT_TRUE(region.EntersZone(through));
@@ -37,10 +36,10 @@ TEST(Region, KeepsOffZonesFartherThanInsideTheBorder) {
   SurveyArea area{-15.0, 15.0, -18.0, 18.0, 2.0, 2.0};
   area.keep_out = PlacesText({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
   const Region region(area, {.border = Meters(0.4), .zones = Meters(1.9)}, {});
-  EXPECT_FALSE(region.Contains(2.3, 0.0));
-  EXPECT_TRUE(region.Contains(2.5, 0.0));
-  EXPECT_TRUE(region.Contains(16.5, 0.0));
-  EXPECT_FALSE(region.Contains(16.7, 0.0));
+  EXPECT_FALSE(region.Contains(PlanePoint(2.3, 0.0)));
+  EXPECT_TRUE(region.Contains(PlanePoint(2.5, 0.0)));
+  EXPECT_TRUE(region.Contains(PlanePoint(16.5, 0.0)));
+  EXPECT_FALSE(region.Contains(PlanePoint(16.7, 0.0)));
   EXPECT_NEAR(region.ZoneClearance({3.0, 0.0}), 3.0 - 0.5 - 1.9, 1e-9);
   EXPECT_GT(kRegion.ZoneClearance({0.0, 0.0}), 1e9) << "without any";
 }

@@ -11,8 +11,8 @@ namespace {
 TEST(SeenDensity, IsHighestWhereMostHasBeenSeen) {
   const HalfSeen scene;
   const SeenDensity density(scene.ground);
-  EXPECT_GT(density.At(-9.5, 0.0), 0.8);
-  EXPECT_LT(density.At(10.0, 0.0), 0.05);
+  EXPECT_GT(density.At({-9.5, 0.0}), 0.8);
+  EXPECT_LT(density.At({10.0, 0.0}), 0.05);
 }
 
 TEST(SeenDensity, SamplesFallWhereLittleHasBeenSeen) {

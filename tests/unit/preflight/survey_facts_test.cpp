@@ -33,11 +33,11 @@ SurveyFacts Survey(double north_extent, double east_extent, double altitude, dou
 
 TEST(SurveyFacts, IsOutsideByTheShortestWay) {
   const SurveyFacts facts = Survey(20.0, 40.0, 4.0, 2.0);
-  EXPECT_EQ(facts.Outside(3.0, -19.0), 0.0);
-  EXPECT_EQ(facts.Outside(10.0, 20.0), 0.0) << "the edge belongs to the area";
-  EXPECT_DOUBLE_EQ(facts.Outside(12.0, 0.0), 2.0);
-  EXPECT_DOUBLE_EQ(facts.Outside(0.0, -25.0), 5.0);
-  EXPECT_DOUBLE_EQ(facts.Outside(-13.0, 24.0), 5.0) << "off a corner";
+  EXPECT_EQ(facts.Outside({3.0, -19.0}), 0.0);
+  EXPECT_EQ(facts.Outside({10.0, 20.0}), 0.0) << "the edge belongs to the area";
+  EXPECT_DOUBLE_EQ(facts.Outside({12.0, 0.0}), 2.0);
+  EXPECT_DOUBLE_EQ(facts.Outside({0.0, -25.0}), 5.0);
+  EXPECT_DOUBLE_EQ(facts.Outside({-13.0, 24.0}), 5.0) << "off a corner";
 }
 
 TEST(PathEstimate, IsTheAreaOverTheWidthOfTheImage) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSeabed = 7.5;
 
 SoundScene FlatScene(std::vector<SoundScene::Sphere> spheres = {}) {
-  return {[](double, double) { return kSeabed; }, std::move(spheres)};
+  return {[](const Eigen::Vector2d&) { return kSeabed; }, std::move(spheres)};
 }
 
 DvlModel::Params Perfect() {
@@ -62,7 +62,8 @@ TEST(DvlModel, BeamMeetsAFloatingObjectAndAltitudeStaysThatOfTheSeabed) {
 TEST(DvlModel, BeamMeetsAColumnThatStandsThere) {
   const double reach = 2.0 * std::tan(RadiansFromDegrees(25.0)) * std::sqrt(0.5);
   const UprightBody column = UprightBody::Column({-0.2 + reach + 0.3, reach}, 0.3, 0.0);
-  DvlModel dvl(Perfect(), {[](double, double) { return kSeabed; }, {}, {column}}, Random(1));
+  DvlModel dvl(Perfect(), {[](const Eigen::Vector2d&) { return kSeabed; }, {}, {column}},
+               Random(1));
   const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.0));
   EXPECT_NEAR(*sample.b1, 2.0 / std::cos(RadiansFromDegrees(25.0)), 1e-6);
   EXPECT_NEAR(*sample.altitude, kSeabed - 3.68, 1e-6);
@@ -183,12 +184,14 @@ TEST(DvlModel, FaultsLeaveTheNoiseOfGoodSamplesAsItWas) {
 }
 
 TEST(SoundScene, FindsASlopingSeabedToATenthOfAMillimetre) {
-  const auto seabed = [](double north, double east) { return 6.0 + 0.2 * north - 0.1 * east; };
+  const auto seabed = [](const Eigen::Vector2d& p_W) {
+    return 6.0 + 0.2 * p_W.x() - 0.1 * p_W.y();
+  };
   const SoundScene scene(seabed, {});
   const Eigen::Vector3d origin(1.0, 2.0, 3.0);
   const Eigen::Vector3d direction = Eigen::Vector3d(0.3, 0.3, 0.9).normalized();
   const Eigen::Vector3d hit = origin + *scene.Range(origin, direction, 50.0) * direction;
-  EXPECT_NEAR(hit.z(), seabed(hit.x(), hit.y()), 2e-4);
+  EXPECT_NEAR(hit.z(), seabed(hit.head<2>()), 2e-4);
 }
 
 TEST(DvlModel, MeasuresInItsOwnFrame) {

@@ -22,7 +22,8 @@ SonarSheet QuietFan() {
 }
 
 SonarPing PingOf(const SonarSheet& sheet, std::vector<UprightBody> bodies, const SimTruth& truth) {
-  SonarModel sonar(sheet, {[](double, double) { return kSonarSeabed; }, {}, std::move(bodies)},
+  SonarModel sonar(sheet,
+                   {[](const Eigen::Vector2d&) { return kSonarSeabed; }, {}, std::move(bodies)},
                    Random(3));
   return *sonar.Sample(truth, Seconds(0.0));
 }
@@ -64,8 +65,8 @@ TEST(SonarModel, HearsNothingBeyondItsReachAndNothingOfWhatIsLower) {
 TEST(SonarModel, ALevelFanHearsASeabedThatRisesAhead) {
   SimTruth truth;
   truth.down = 6.0;
-  SonarModel sonar(QuietFan(), {[](double north, double) { return 8.0 - 0.25 * north; }, {}},
-                   Random(3));
+  SonarModel sonar(
+      QuietFan(), {[](const Eigen::Vector2d& p_W) { return 8.0 - 0.25 * p_W.x(); }, {}}, Random(3));
   EXPECT_NEAR(sonar.Sample(truth, Seconds(0.0))->ranges[15], 8.0, 0.02);
 }
 

@@ -53,7 +53,7 @@ TEST(Shape, ALabelCannotBreakTheText) {
             "x=0,y=0,label=a_b__c___d_");
 }
 
-TEST(Shape, NorthIsYAndEastIsX) { EXPECT_EQ(MapPointOf(3.0, 7.0), (MapPoint{7.0, 3.0})); }
+TEST(Shape, NorthIsYAndEastIsX) { EXPECT_EQ(MapPointOf({3.0, 7.0}), (MapPoint{7.0, 3.0})); }
 
 /// A shape whose numbers survive the rounding of its text.
 Shape RandomShape(Random& random) {

@@ -41,8 +41,8 @@ TEST(UprightBody, AVehicleWithinTouchesIt) {
   EXPECT_NEAR(kColumn.Distance({12, 0, 3}), 1.5, 1e-12);
   EXPECT_NEAR(kBox.Distance({12, 4, 3}), std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(kBox.Distance({10, 0, 0.5}), 1.5, 1e-12);
-  EXPECT_TRUE(kBox.Covers(10.9, -2.9));
-  EXPECT_FALSE(kBox.Covers(10.9, -3.1));
+  EXPECT_TRUE(kBox.Covers({10.9, -2.9}));
+  EXPECT_FALSE(kBox.Covers({10.9, -3.1}));
 }
 
 TEST(UprightBody, HidesWhatLiesBehindIt) {

@@ -68,7 +68,7 @@ TEST(GeoArea, ComesOutOnTheGridWhereTheGridSaysItIs) {
   const GeoPoint datum{.latitude_deg = 43.721, .longitude_deg = 10.283};
   const LocalGrid grid(datum);
   for (const PlanePoint& place : {PlanePoint(0.0, 0.0), PlanePoint(1234.0, -876.0)}) {
-    const auto again = PlacesOnGrid({grid.At(place.x(), place.y())}, datum);
+    const auto again = PlacesOnGrid({grid.At(place)}, datum);
     ASSERT_TRUE(again);
     EXPECT_LT((again->front() - place).norm(), 1e-3);
   }

@@ -15,7 +15,7 @@ namespace limpet {
 namespace {
 
 constexpr double kFlat = 10.0;  // depth of a level seabed [m]
-double FlatSeabed(double, double) { return kFlat; }
+double FlatSeabed(const Eigen::Vector2d&) { return kFlat; }
 
 /// The vehicle upright with its skids this far under the seabed [m].
 ContactState Pressed(double penetration) {
@@ -135,7 +135,9 @@ TEST_P(SeabedContactProperties, HasNoKinkThatASolverCouldMeet) {
 
 TEST_P(SeabedContactProperties, LiftsTheSideThatStandsOnAStone) {
   ContactState state = Pressed(0.0);
-  const auto stone = [](double, double east) { return kFlat + (east > -2.0 ? -0.01 : 0.05); };
+  const auto stone = [](const Eigen::Vector2d& p_W) {
+    return kFlat + (p_W.y() > -2.0 ? -0.01 : 0.05);
+  };
   const Wrench wrench = SeabedContactWrench({}, stone, state);
   EXPECT_LT(wrench(3), 0.0) << "starboard is pushed up: it rolls to port";
   EXPECT_NEAR(wrench(4), 0.0, 1e-9);

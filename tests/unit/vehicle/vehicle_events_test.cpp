@@ -36,7 +36,7 @@ class VehicleEvents : public ::testing::TestWithParam<int> {
     return events;
   }
   const VehicleModel model_{VehicleParams{}, Eigen::Vector3d::Zero(),
-                            [](double, double) { return kDown; }};
+                            [](const Eigen::Vector2d&) { return kDown; }};
   Random random_{static_cast<std::uint64_t>(GetParam()), "events"};
 };
 

@@ -55,7 +55,7 @@ Eigen::Matrix3d AttitudeOf(const StateVector& x) {
 class VehicleModelProperties : public ::testing::TestWithParam<int> {
  protected:
   [[nodiscard]] VehicleModel In(const Eigen::Vector3d& current_W) const {
-    return {params_, current_W, [](double, double) { return 60.0; }};
+    return {params_, current_W, [](const Eigen::Vector2d&) { return 60.0; }};
   }
   /// Power of what is neither kinetic energy nor weight and buoyancy [W].
   [[nodiscard]] static double PowerFromOutside(const VehicleModel& model, const StateVector& x) {

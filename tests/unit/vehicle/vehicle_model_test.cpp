@@ -13,7 +13,7 @@ namespace {
 constexpr double kSeabed = 20.0;
 
 VehicleModel StillWater() {
-  return {VehicleParams{}, Eigen::Vector3d::Zero(), [](double, double) { return kSeabed; }};
+  return {VehicleParams{}, Eigen::Vector3d::Zero(), [](const Eigen::Vector2d&) { return kSeabed; }};
 }
 
 StateVector Submerged(const VehicleModel& model, double depth) {
@@ -93,7 +93,7 @@ TEST(VehicleModel, KeepsTheQuaternionUnit) {
 
 TEST(VehicleModel, DriftsWithTheCurrentAtNoRelativeSpeed) {
   const VehicleModel model{VehicleParams{}, Eigen::Vector3d(0.2, -0.1, 0.0),
-                           [](double, double) { return kSeabed; }};
+                           [](const Eigen::Vector2d&) { return kSeabed; }};
   const StateVector x = After(model, model.Afloat({0.0, 0.0}, 1.0), ThrusterVector::Zero(), 100.0);
   EXPECT_NEAR(x(0), 20.0, 1e-6);
   EXPECT_NEAR(x(1), -10.0, 1e-6);
@@ -101,7 +101,7 @@ TEST(VehicleModel, DriftsWithTheCurrentAtNoRelativeSpeed) {
 
 TEST(VehicleModel, GivesVelocityOverGroundInTheBodyFrame) {
   const VehicleModel model{VehicleParams{}, Eigen::Vector3d(0.2, 0.0, 0.0),
-                           [](double, double) { return kSeabed; }};
+                           [](const Eigen::Vector2d&) { return kSeabed; }};
   const VehicleMotion motion =
       model.Motion(model.Afloat({0.0, 0.0}, M_PI / 2.0), ThrusterVector::Zero());
   EXPECT_TRUE(motion.v_WB_B.isApprox(Eigen::Vector3d(0.0, -0.2, 0.0), 1e-9));

@@ -11,7 +11,7 @@ namespace {
 
 VehicleSimulation Simulation(IntegratorKind kind, double seabed = 20.0) {
   return {VehicleModel(VehicleParams{}, Eigen::Vector3d(0.05, 0.02, 0.0),
-                       [seabed](double, double) { return seabed; }),
+                       [seabed](const Eigen::Vector2d&) { return seabed; }),
           {.north = 0.0, .east = 0.0, .yaw = 0.4},
           kind};
 }
@@ -119,8 +119,8 @@ TEST(SeabedContact, LetsTheVehicleRestOnItsSkids) {
 }
 
 TEST(SeabedContact, HoldsOnASlopeWithRelief) {
-  const auto seabed = [](double north, double east) {
-    return 4.0 + 0.08 * north + 0.05 * std::sin(2.0 * north) * std::sin(1.7 * east);
+  const auto seabed = [](const Eigen::Vector2d& p_W) {
+    return 4.0 + 0.08 * p_W.x() + 0.05 * std::sin(2.0 * p_W.x()) * std::sin(1.7 * p_W.y());
   };
   VehicleSimulation simulation(
       VehicleModel(VehicleParams{}, Eigen::Vector3d(0.1, 0.0, 0.0), seabed),

@@ -27,7 +27,7 @@ class EveryDetector : public testing::TestWithParam<std::string> {
     return renderer_.Render(pose, balls, 0);
   }
   SceneRenderer renderer_{{.camera = {},
-                           .seabed_depth = [](double, double) { return 7.5; },
+                           .seabed_depth = [](const Eigen::Vector2d&) { return 7.5; },
                            .visibility_m = 8.0,
                            .seabed_seed = 2,
                            .noise_seed = 3}};

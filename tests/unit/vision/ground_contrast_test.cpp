@@ -15,7 +15,7 @@ namespace {
 Image GroundPicture(double visibility, double altitude, std::uint64_t place = 5,
                     std::span<const Sphere> spheres = {}) {
   SceneRenderer renderer({.camera = {},
-                          .seabed_depth = [](double, double) { return 12.0; },
+                          .seabed_depth = [](const Eigen::Vector2d&) { return 12.0; },
                           .visibility_m = visibility,
                           .seabed_seed = place,
                           .noise_seed = 6});

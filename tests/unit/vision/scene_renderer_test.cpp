@@ -11,8 +11,8 @@ namespace {
 SceneSettings SceneWith(double visibility_m = 8.0) {
   return {.camera = {},
           .seabed_depth =
-              [](double north, double east) {
-                return 7.5 + 0.05 * std::sin(1.3 * north) * std::cos(0.8 * east);
+              [](const Eigen::Vector2d& p_W) {
+                return 7.5 + 0.05 * std::sin(1.3 * p_W.x()) * std::cos(0.8 * p_W.y());
               },
           .visibility_m = visibility_m,
           .seabed_seed = 5,

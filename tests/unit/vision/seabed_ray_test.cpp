@@ -7,7 +7,7 @@ namespace limpet {
 namespace {
 
 TEST(SeabedRays, MeetALevelSeabedExactly) {
-  SeabedRelief relief([](double, double) { return 7.5; });
+  SeabedRelief relief([](const Eigen::Vector2d&) { return 7.5; });
   const SeabedRays rays(relief, {1.0, 2.0, 3.5}, 60.0);
   double distance = 4.5;
   const SeabedPoint met = rays.Meet({0.25, -0.5, 1.0}, distance);
@@ -16,7 +16,7 @@ TEST(SeabedRays, MeetALevelSeabedExactly) {
 }
 
 TEST(SeabedRays, MeetASlopeThatRisesTowardsThem) {
-  SeabedRelief relief([](double north, double) { return 7.0 - 0.2 * north; });
+  SeabedRelief relief([](const Eigen::Vector2d& p_W) { return 7.0 - 0.2 * p_W.x(); });
   const SeabedRays rays(relief, {0.0, 0.0, 3.0}, 60.0);
   double distance = 4.0;
   const SeabedPoint met = rays.Meet({0.5, 0.0, 1.0}, distance);
@@ -25,7 +25,7 @@ TEST(SeabedRays, MeetASlopeThatRisesTowardsThem) {
 }
 
 TEST(SeabedRays, AboveTheHorizonEndAtTheFarthest) {
-  SeabedRelief relief([](double, double) { return 7.5; });
+  SeabedRelief relief([](const Eigen::Vector2d&) { return 7.5; });
   const SeabedRays rays(relief, {0.0, 0.0, 3.5}, 60.0);
   double distance = 4.0;
   EXPECT_NEAR(rays.Meet({1.0, 0.0, -0.1}, distance).p_W.x(), 60.0, 1e-9);
