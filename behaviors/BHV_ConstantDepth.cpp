@@ -30,10 +30,11 @@ MotionBid BHV_ConstantDepth::Move(const VehicleState& state) {
   ActList acts;
   TellMismatch(state, acts);
   MotionBid bid;
-  bid.depth = Peak{.summit = depth,
-                   .flat_half_width = flat,
-                   .base_half_width = BaseBeyond(flat, params_.basewidth.value()),
-                   .edge_value = EdgeValue(params_.summit_delta)};
+  bid.depth = Peak{
+      .summit = depth,
+      .flat_half_width = flat,
+      .base_half_width = BaseBeyond({.flat_half_width = flat, .skirt = params_.basewidth.value()}),
+      .edge_value = EdgeValue(params_.summit_delta)};
   bid.acts = acts.Take();
   return bid;
 }

@@ -45,7 +45,8 @@ MotionBid BHV_ConstantHeading::Move(const VehicleState& state) {
     const double flat = params_.peakwidth.value();
     bid.course = Peak{.summit = WrapAngle(params_.heading.value()),
                       .flat_half_width = flat,
-                      .base_half_width = BaseBeyond(flat, params_.basewidth.value()),
+                      .base_half_width =
+                          BaseBeyond({.flat_half_width = flat, .skirt = params_.basewidth.value()}),
                       .edge_value = EdgeValue(params_.summit_delta)};
   }
   bid.acts = acts.Take();

@@ -80,8 +80,9 @@ std::optional<LegChange> ReadWholeLeg(std::string_view text) {
     return std::nullopt;
   }
   return [center = MapPoint{.x = *values[0], .y = *values[1]},
-          bearing = Radians::FromTextUnit(*values[2]).value(),
-          length = *values[3]](LegPlan& plan) { plan.Lay(center, bearing, length); };
+          bearing = Radians::FromTextUnit(*values[2]).value(), length = *values[3]](LegPlan& plan) {
+    plan.Lay(center, {.bearing = bearing, .distance = length});
+  };
 }
 
 void DescribeWhere(ParamCollector& visit, LegParams& params) {
@@ -104,7 +105,8 @@ void DescribeWhere(ParamCollector& visit, LegParams& params) {
                  const auto point = ReadLegPoint(text);
                  if (!point) return std::nullopt;
                  return [point](LegPlan& plan) {
-                   if (plan.is_set()) plan.Lay(*point, plan.bearing(), plan.length());
+                   if (plan.is_set())
+                     plan.Lay(*point, {.bearing = plan.bearing(), .distance = plan.length()});
                  };
                });
 }
@@ -113,14 +115,16 @@ void DescribeLegSize(ParamCollector& visit, LegParams& params) {
   const auto length = [](bool adds) {
     return [adds](LegPlan& plan, double value) {
       if (!plan.is_set()) return;
-      plan.Lay(plan.center(), plan.bearing(), value + (adds ? plan.length() : 0.0));
+      plan.Lay(plan.center(),
+               {.bearing = plan.bearing(), .distance = value + (adds ? plan.length() : 0.0)});
     };
   };
   const auto angle = [](bool adds) {
     return [adds](LegPlan& plan, double degrees) {
       if (!plan.is_set()) return;
       const double value = Radians::FromTextUnit(degrees).value();
-      plan.Lay(plan.center(), value + (adds ? plan.bearing() : 0.0), plan.length());
+      plan.Lay(plan.center(),
+               {.bearing = value + (adds ? plan.bearing() : 0.0), .distance = plan.length()});
     };
   };
   DescribeEdit(visit, params, {"leg_len", {"leg_length"}}, "1 to 100000 m",

@@ -26,7 +26,8 @@ MotionBid BHV_MaxDepth::Move(const VehicleState& state) {
   MotionBid bid;
   bid.depth = Peak{.summit = 0.5 * deepest,
                    .flat_half_width = 0.5 * deepest,
-                   .base_half_width = BaseBeyond(0.5 * deepest, params_.basewidth.value())};
+                   .base_half_width = BaseBeyond(
+                       {.flat_half_width = 0.5 * deepest, .skirt = params_.basewidth.value()})};
   bid.acts = acts.Take();
   return bid;
 }

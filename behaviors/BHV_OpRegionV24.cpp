@@ -264,7 +264,7 @@ void BHV_OpRegionV24::DrawStatus(const VehicleState& state, const std::string& h
   PolygonShape ring;
   for (int i = 0; is_active && i < kCorners; ++i) {
     const double bearing = 2.0 * std::numbers::pi * i / kCorners;
-    ring.corners.push_back(Project(state.place(), bearing, kRadius));
+    ring.corners.push_back(Project(state.place(), {.bearing = bearing, .distance = kRadius}));
   }
   if (!is_active) ring.corners.assign(3, MapPoint{});
   acts.Draw(std::vector{DrawnTextOf({.label = std::string(state.ownship) + "_stat",

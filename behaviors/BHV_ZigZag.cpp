@@ -70,7 +70,9 @@ void BHV_ZigZag::Travel(const VehicleState& state) {
   run_.least_speed = std::min(run_.least_speed.value_or(state.speed()), state.speed());
 }
 
-MapLeg BHV_ZigZag::Stem() const { return {run_.from, Project(run_.from, run_.stem, 1.0)}; }
+MapLeg BHV_ZigZag::Stem() const {
+  return {run_.from, Project(run_.from, {.bearing = run_.stem, .distance = 1.0})};
+}
 
 bool BHV_ZigZag::IsDone() const {
   // The first, from the stem, is half a leg: MOOS-IvP flies one more than it counts.
@@ -162,7 +164,8 @@ void BHV_ZigZag::Draw(const VehicleState& state, bool is_active, ActList& acts) 
   const auto line = [&](const char* label, double heading, const std::string& color) {
     const MapPoint at = state.place();
     acts.Draw(std::vector{HeadingLine(label + std::string(state.ownship),
-                                      {at, Project(at, heading, kShown)}, color, is_active)});
+                                      {at, Project(at, {.bearing = heading, .distance = kShown})},
+                                      color, is_active)});
   };
   if (IsDrawn(hints, "draw_set_hdg")) {
     line("zig_set_", Target(), hints.Text("set_hdg_color", "white"));

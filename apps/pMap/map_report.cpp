@@ -31,7 +31,8 @@ std::optional<double> MapApp::ChanceAtSeabed(const VisibilityBelief& water, doub
   if (!gate_.altitude()) {
     return std::nullopt;
   }
-  return water.Expect(DetectionChances(params_.status.detection, farther * *gate_.altitude(), 1.0,
+  return water.Expect(DetectionChances(params_.status.detection,
+                                       {.range = farther * *gate_.altitude(), .share = 1.0},
                                        VisibilityBelief::Grid()));
 }
 

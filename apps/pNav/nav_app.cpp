@@ -92,15 +92,16 @@ void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> so
       return;
     }
     ClearWarning(warnings::kBadMail, message->name);
-    aiding_[static_cast<std::size_t>(number)].heard.Note(message->time.value(), now().value());
+    aiding_[static_cast<std::size_t>(number)].heard.Note(
+        {.stamp = message->time.value(), .now = now().value()});
     navigator_.AddObservation(number, std::move(seen));
   });
 }
 
 void NavApp::OnFog(const Stamped<double>& rate) {
-  attitude_.AddFogRate(rate.time.value(), rate.value);
+  attitude_.AddFogRate(rate.time.value(), RadiansPerSecond(rate.value));
   if (std::isfinite(rate.value)) {
-    fog_.Note(rate.time.value(), now().value());
+    fog_.Note({.stamp = rate.time.value(), .now = now().value()});
   }
 }
 
@@ -122,12 +123,12 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   if (!is_good) {
     return;
   }
-  imu_.Note(t, now().value());
+  imu_.Note({.stamp = t, .now = now().value()});
   navigator_.AddSpecificForce(t, {sample.fx, sample.fy, sample.fz});
   if (attitude_.is_aligned() && t - last_attitude_t_ >= Navigator::kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
     if (attitude_.has_heading()) {
-      navigator_.AddCompass(t, WrapAngle(sample.heading - attitude_.estimate()->yaw));
+      navigator_.AddCompass(t, Radians(WrapAngle(sample.heading - attitude_.estimate()->yaw)));
     }
     last_attitude_t_ = t;
   }
@@ -136,18 +137,18 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
 void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
   const DvlSample& sample = dvl.value;
   const double t = dvl.time.value();
-  dvl_.Note(t, now().value());
+  dvl_.Note({.stamp = t, .now = now().value()});
   ++dvl_pings_;
   dvl_pings_without_lock_ += sample.has_lock ? 0 : 1;
   std::optional<Eigen::Vector3d> velocity;
   if (sample.has_lock && sample.u && sample.v && sample.w) {
     velocity = R_BD_ * Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
     if (velocity->allFinite()) {
-      lock_.Note(t, now().value());
+      lock_.Note({.stamp = t, .now = now().value()});
     }
   }
   if (sample.altitude) {
-    navigator_.AddAltitude(t, *sample.altitude);
+    navigator_.AddAltitude(t, Meters(*sample.altitude));
   }
   const int refused = navigator_.counts().velocities;
   navigator_.AddVelocity(t, velocity);
@@ -160,14 +161,14 @@ void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
 
 void NavApp::OnDepth(const Stamped<double>& depth) {
   if (std::isfinite(depth.value)) {
-    depth_.Note(depth.time.value(), now().value());
+    depth_.Note({.stamp = depth.time.value(), .now = now().value()});
   }
-  navigator_.AddDepth(depth.time.value(), depth.value);
+  navigator_.AddDepth(depth.time.value(), Meters(depth.value));
 }
 
 void NavApp::OnGps(const Stamped<GpsFix>& fix) {
   ++gps_fixes_;
-  gps_.Note(fix.time.value(), now().value());
+  gps_.Note({.stamp = fix.time.value(), .now = now().value()});
   navigator_.AddGps(fix.time.value(), {fix.value.north, fix.value.east}, fix.value.sd);
 }
 
@@ -175,7 +176,7 @@ void NavApp::OnDetections(const Stamped<Detections>& detections) {
   if (!HasUsableStamp(topics::kDetections.name, detections.value.exposure, "its exposure")) {
     return;
   }
-  camera_.Note(detections.value.exposure.value(), now().value());
+  camera_.Note({.stamp = detections.value.exposure.value(), .now = now().value()});
   navigator_.AddFrame(lens_.is_pinhole() ? detections.value
                                          : Rectified(lens_, detections.value).frame);
 }
@@ -347,7 +348,7 @@ bool NavApp::RepeatsEchoes(const SonarPing& ping) {
 void NavApp::OnSonar(const Stamped<SonarPing>& ping) {
   // What hangs shows an obstacle that goes along with the vehicle.
   if (RepeatsEchoes(ping.value)) return;
-  sonar_.Note(ping.time.value(), now().value());
+  sonar_.Note({.stamp = ping.time.value(), .now = now().value()});
   if (!navigator_.has_started() || !IsValid(now().value())) return;
   const Pose X_WB = navigator_.Estimate(ping.time.value()).X_WB;
   const Eigen::Vector3d p_sonar_W = X_WB.p_WB + RotationOf(X_WB) * p_BS_;

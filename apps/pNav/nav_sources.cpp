@@ -58,7 +58,7 @@ void NavApp::WatchSensors(double now) {
         "no new OBSTACLE_SONAR within stale_after_s: obstacles show late, if at all");
   if (const int refused = navigator_.counts().fixes; refused != refused_fixes_) {
     refused_fixes_ = refused;
-    refused_fix_.Note(now, now);
+    refused_fix_.Note({.stamp = now, .now = now});
   }
   watch(warnings::kGpsRefused, refused_fix_.IsFresh(now, kRefusedFixPause),
         "fixes lie metres from where dead reckoning and the others have the vehicle");

@@ -13,9 +13,13 @@ namespace limpet {
 /// How long ago one sensor last gave something good, in vehicle time.
 class SourceWatch {
  public:
-  /// A good sample measured at `stamp` has come, at `now` [s].
-  void Note(double stamp, double now) {
-    last_ = std::max(last_.value_or(stamp), std::min(stamp, now));
+  /// When a sample was measured, and when it came [s].
+  struct Times {
+    double stamp = 0.0, now = 0.0;
+  };
+  /// A good sample has come.
+  void Note(const Times& of) {
+    last_ = std::max(last_.value_or(of.stamp), std::min(of.stamp, of.now));
   }
 
   [[nodiscard]] std::optional<double> Age(double now) const {

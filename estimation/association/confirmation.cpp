@@ -105,7 +105,9 @@ Confirmation::PairLikelihood Confirmation::LikelihoodOf(const TrackedObject& ten
   S += tentative.tentative().covariance_W + landmark.MotionCovariance();
   S.diagonal().array() += kPlaceError * kPlaceError;
   pair.distance2 = d.dot(S.llt().solve(d));
-  pair.cost = NormalCost(pair.distance2, std::log(S.determinant()), 3) +
+  pair.cost = NormalCost({.distance2 = pair.distance2,
+                          .log_determinant = std::log(S.determinant()),
+                          .dimensions = 3}) +
               ClassCost(tentative, landmark, params_.gate.confused_class_share) +
               TogetherCost(tentative, landmark);
   return pair;

@@ -122,7 +122,9 @@ void AddPair(const IdentityProblem& problem, Partial& partial, int thing, int sa
   const Eigen::LLT<Eigen::Matrix3d> llt(d.covariance);
   const Eigen::Matrix3d L = llt.matrixL();
   const Eigen::Vector3d w = L.triangularView<Eigen::Lower>().solve(d.mean);
-  partial.hypothesis.cost += NormalCost(w.squaredNorm(), 2.0 * L.diagonal().array().log().sum(), 3);
+  partial.hypothesis.cost += NormalCost({.distance2 = w.squaredNorm(),
+                                         .log_determinant = 2.0 * L.diagonal().array().log().sum(),
+                                         .dimensions = 3});
   Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(n + 3, n + 3);
   factor.topLeftCorner(n, n) = partial.factor;
   factor.bottomLeftCorner(3, n) = d.across.transpose();

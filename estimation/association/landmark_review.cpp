@@ -105,7 +105,9 @@ bool LandmarkReview::AreLikelyOne(const TrackedObject& a, const TrackedObject& b
                                   const Eigen::Matrix3d& difference) const {
   const Eigen::Vector3d d = smoother_.BorderAt(a.slot()) - smoother_.BorderAt(b.slot());
   const double distance2 = d.dot(difference.llt().solve(d));
-  const double one = NormalCost(distance2, std::log(difference.determinant()), 3) +
+  const double one = NormalCost({.distance2 = distance2,
+                                 .log_determinant = std::log(difference.determinant()),
+                                 .dimensions = 3}) +
                      TogetherCost(a, b) + ClassCost(a, b, params_.gate.confused_class_share);
   return one < NewObjectCost(tracks_, params_) + OverlapCost(d, difference, params_.model.radius_m);
 }

@@ -29,8 +29,7 @@ PlaneLook PlaneLookOf(const Observation& one, const Eigen::Vector3d& p_W, const 
   const Pose X_WB = PoseOf(smoother.PoseAt(one.node));
   const Eigen::Matrix3d R_WB = RotationOf(X_WB);
   const Eigen::Vector3d p_WC = X_WB.p_WB + R_WB * camera.p_BC;
-  const Eigen::Vector3d ray_W =
-      R_WB * camera.R_BC * camera.RayOf(one.reading.centre_px.x(), one.reading.centre_px.y());
+  const Eigen::Vector3d ray_W = R_WB * camera.R_BC * camera.RayOf(one.reading.centre_px);
   const Eigen::Vector3d seen_W = (p_W.z() - p_WC.z()) / ray_W.z() * ray_W;
   const double range = seen_W.norm();
   const Eigen::Vector2d sigma(one.reading.sigma_px.x() / camera.fx,

@@ -49,7 +49,7 @@ Eigen::Vector3d PlaceAlongRay(const Observation& observation, const NavVector& x
   const bool is_in_corner = reading.is_cut_u && reading.is_cut_v;
   const Eigen::Vector2d centre_px =
       is_in_corner ? CentreGuess(reading, camera, model.radius_m) : reading.centre_px;
-  Eigen::Vector3d ray = camera.RayOf(centre_px.x(), centre_px.y());
+  Eigen::Vector3d ray = camera.RayOf(centre_px);
   ray /= ray.z();
   double depth = kUsualDistance;
   const Eigen::Vector3d ray_W = R_WC * ray;

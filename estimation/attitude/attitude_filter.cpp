@@ -26,10 +26,10 @@ Eigen::Vector2d TiltFromForce(const Eigen::Vector3d& force) {
 
 }  // namespace
 
-void AttitudeFilter::AddFogRate(double t, double rate) {
-  if (std::isfinite(rate)) {
+void AttitudeFilter::AddFogRate(double t, RadiansPerSecond rate) {
+  if (std::isfinite(rate.value())) {
     fog_t_ = t;
-    fog_rate_ = rate;
+    fog_rate_ = rate.value();
   }
 }
 

@@ -44,8 +44,8 @@ class AttitudeFilter {
  public:
   explicit AttitudeFilter(const AttitudeParams& params) : params_(params) {}
 
-  /// Body z rate of the fibre-optic gyro [rad/s]; used for samples of the IMU up to 0.2 s off.
-  void AddFogRate(double t, double rate);
+  /// Body z rate of the fibre-optic gyro at `t` [s]; used for samples of the IMU up to 0.2 s off.
+  void AddFogRate(double t, RadiansPerSecond rate);
   /// Advances the filter; false for a sample that is refused: not newer than the last one, not
   /// finite, leaping far ahead, which takes a few in a row to be believed, or an outlier. Nothing
   /// is ever integrated backwards. A clock that was set back has hidden how far the vehicle turned

@@ -174,8 +174,9 @@ PlaceEvidence PlaceWatch::evidence() const {
   return sum;
 }
 
-PerVisibility PlaceWatch::LogLikelihood(double worth, double chance) const {
+PerVisibility PlaceWatch::LogLikelihood(const Supposed& supposed) const {
   const LookLog::Likelihoods seen = spots_.front().log.likelihoods();
+  const auto [chance, worth] = supposed;
   return LogSum(std::log(chance) + worth * seen.present, std::log1p(-chance) + worth * seen.bare);
 }
 

@@ -61,9 +61,13 @@ class PlaceWatch {
   void See(const ObservedFrame& frame, const WatchModel& model, const OwnerOf& owner_of);
   /// What the looks say so far, for each visibility of the WatchModel, as all that follows.
   [[nodiscard]] PlaceEvidence evidence() const;
-  /// ln P of what was seen here where an object is with this `chance`. Looks count `worth` each:
-  /// they share water, light and pose.
-  [[nodiscard]] PerVisibility LogLikelihood(double worth, double chance) const;
+  /// The chance that an object is here, and what each look counts: they share water, light and
+  /// pose.
+  struct Supposed {
+    double chance = 0.5, look_worth = 1.0;
+  };
+  /// ln P of what was seen here.
+  [[nodiscard]] PerVisibility LogLikelihood(const Supposed& supposed) const;
   /// Looks at the most likely spot.
   [[nodiscard]] PerVisibility looks() const { return spots_.front().log.looks(); }
   [[nodiscard]] int looks_with_box() const { return spots_.front().log.looks_with_box(); }

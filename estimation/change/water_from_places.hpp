@@ -13,7 +13,7 @@ inline void LearnWater(const PlaceWatch& watch, double chance, VisibilityBelief&
   constexpr double kWorth = 0.5;
   // What happens at one place changes the odds of two visibilities by a factor of e^5 at most.
   constexpr double kMostOfOnePlace = 5.0;
-  water.Add(watch.LogLikelihood(kWorth, chance), kMostOfOnePlace);
+  water.Add(watch.LogLikelihood({.chance = chance, .look_worth = kWorth}), kMostOfOnePlace);
 }
 
 }  // namespace limpet

@@ -147,15 +147,16 @@ void ObjectLayer::SetObjects(const std::vector<OpiBelief>& objects, const Object
   }
 }
 
-std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double radius,
-                                               double resolution) const {
+std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object,
+                                               const SampledSphere& voxels) const {
   std::map<VoxelKey, double> sum;
   if (object.status.decided == Status::kRemoved) return sum;  // nothing stands there
   for (const ObjectLook& look : object.looks) {
     const Eigen::Vector3d shift = object.status.object.p_W - look.object_W;
     std::map<VoxelKey, double> strongest;  // many rays of one look in one voxel are one witness
-    for (const VoxelEvidence& point : NearSurface(look, camera_, radius, 0.5 * resolution)) {
-      double& best = strongest[KeyOf(point.p_W + shift, resolution)];
+    for (const VoxelEvidence& point :
+         NearSurface(look, camera_, {.radius = voxels.radius, .spacing = 0.5 * voxels.spacing})) {
+      double& best = strongest[KeyOf(point.p_W + shift, voxels.spacing)];
       best = std::max(best, point.log_odds);
     }
     for (const auto& [key, log_odds] : strongest) {
@@ -169,12 +170,12 @@ std::map<VoxelKey, double> ObjectLayer::Gather(const Painted& object, double rad
 }
 
 void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
-  const double resolution = map.resolution();
   double radius = object.looks.empty() ? RadiusOf(object) : 0.0;
   for (const ObjectLook& look : object.looks) {
     radius += RadiusFromBox(look, camera_) / static_cast<double>(object.looks.size());
   }
-  std::map<VoxelKey, double> painted = Gather(object, radius, resolution);
+  const SampledSphere voxels{.radius = radius, .spacing = map.resolution()};
+  std::map<VoxelKey, double> painted = Gather(object, voxels);
   for (const auto& [key, log_odds] : object.log_odds) {
     if (!painted.contains(key)) {
       map.Unpaint(key);
@@ -193,7 +194,7 @@ void ObjectLayer::Repaint(Painted& object, SemanticMap& map) const {
     }
   }
   object.log_odds = std::move(painted);
-  object.cluster = LargestCluster(certain, radius, resolution);
+  object.cluster = LargestCluster(certain, voxels);
   object.is_stale = false;
 }
 

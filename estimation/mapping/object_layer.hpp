@@ -7,6 +7,7 @@
 
 #include "estimation/change/object_statuses.hpp"
 #include "estimation/mapping/object_look.hpp"
+#include "estimation/mapping/sampled_sphere.hpp"
 #include "estimation/mapping/semantic_map.hpp"
 #include "estimation/mapping/voxel_cluster.hpp"
 
@@ -60,8 +61,8 @@ class ObjectLayer {
   void Judge(Painted& object, const ObjectStatuses& statuses) const;
   void Follow(Painted& object, const OpiBelief& status, const ObjectStatuses& statuses) const;
   void Repaint(Painted& object, SemanticMap& map) const;
-  [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object, double radius,
-                                                  double resolution) const;
+  [[nodiscard]] std::map<VoxelKey, double> Gather(const Painted& object,
+                                                  const SampledSphere& voxels) const;
 
   Params params_;
   StatusParams status_;

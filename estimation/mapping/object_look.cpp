@@ -80,25 +80,25 @@ double RadiusFromBox(const ObjectLook& look, const CameraModel& camera) {
 }
 
 std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraModel& camera,
-                                       double radius, double spacing) {
+                                       const SampledSphere& sphere) {
   const Box& box = look.box;
   const Eigen::Matrix3d R_WB = RotationOf(look.X_WB);
   const Eigen::Matrix3d R_WC = R_WB * camera.R_BC;
   const Eigen::Vector3d origin = look.X_WB.p_WB + R_WB * camera.p_BC;
   const double range = (look.object_W - origin).norm();
-  const Eigen::Vector3d centre = origin + range * (R_WC * camera.RayOf(box.u, box.v));
+  const Eigen::Vector3d centre = origin + range * (R_WC * camera.RayOf({box.u, box.v}));
   const double half_px = std::max(0.25 * (box.w + box.h), 1.0);
   // More cells than the box has pixels would see no more.
   const int most = std::max(kFewestCells, static_cast<int>(std::max(box.w, box.h)));
-  const int cells =
-      std::clamp(static_cast<int>(std::ceil(2.0 * radius / spacing)), kFewestCells, most);
+  const int cells = std::clamp(static_cast<int>(std::ceil(2.0 * sphere.radius / sphere.spacing)),
+                               kFewestCells, most);
   std::vector<VoxelEvidence> evidence;
   for (int i = 0; i < cells * cells; ++i) {
     const double du = ((i % cells + 0.5) / cells - 0.5) * box.w;
     const double dv = ((i / cells + 0.5) / cells - 0.5) * box.h;
     if (!IsInImage(camera, box.u + du, box.v + dv)) continue;
-    const Eigen::Vector3d ray = R_WC * camera.RayOf(box.u + du, box.v + dv);
-    if (const std::optional<double> distance = FirstMeeting(origin, ray, centre, radius)) {
+    const Eigen::Vector3d ray = R_WC * camera.RayOf({box.u + du, box.v + dv});
+    if (const std::optional<double> distance = FirstMeeting(origin, ray, centre, sphere.radius)) {
       const double p = ObjectProbability({std::hypot(du, dv), half_px}, box.confidence);
       evidence.push_back({origin + *distance * ray, LogOddsOf(p)});
     }

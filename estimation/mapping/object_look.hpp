@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "estimation/change/place_watch.hpp"
+#include "estimation/mapping/sampled_sphere.hpp"
 
 namespace limpet {
 
@@ -46,10 +47,9 @@ struct ObjectLook {
 
 /// The near surface of the sphere in the box: the box is divided into cells whose rays meet the
 /// sphere around the box's centre ray at the object's range; cells outside the image say nothing.
-/// `spacing` [m] is that of the points.
 [[nodiscard]] std::vector<VoxelEvidence> NearSurface(const ObjectLook& look,
-                                                     const CameraModel& camera, double radius,
-                                                     double spacing);
+                                                     const CameraModel& camera,
+                                                     const SampledSphere& sphere);
 
 /// Centre of the sphere of `radius` whose surface the points sample from above: least squares on
 /// the distances. Nothing for fewer than four points.

@@ -57,8 +57,8 @@ Eigen::Vector3d CentreOf(const VoxelKey& key, double resolution) {
                        Eigen::Vector3d::Constant(0.5));
 }
 
-std::optional<ObjectCluster> LargestCluster(const std::vector<VoxelKey>& voxels, double radius,
-                                            double resolution) {
+std::optional<ObjectCluster> LargestCluster(const std::vector<VoxelKey>& voxels,
+                                            const SampledSphere& sphere) {
   std::set<VoxelKey> left(voxels.begin(), voxels.end());
   std::vector<VoxelKey> largest;
   while (!left.empty()) {
@@ -67,8 +67,9 @@ std::optional<ObjectCluster> LargestCluster(const std::vector<VoxelKey>& voxels,
       largest = std::move(cluster);
     }
   }
-  return largest.empty() ? std::nullopt
-                         : std::optional<ObjectCluster>(Describe(largest, radius, resolution));
+  return largest.empty()
+             ? std::nullopt
+             : std::optional<ObjectCluster>(Describe(largest, sphere.radius, sphere.spacing));
 }
 
 }  // namespace limpet

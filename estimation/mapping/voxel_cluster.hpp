@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "estimation/mapping/sampled_sphere.hpp"
+
 namespace limpet {
 
 /// Index of a voxel along north, east, down: floor of the coordinate over the resolution.
@@ -23,8 +25,8 @@ struct ObjectCluster {
 };
 
 /// The largest set of voxels that touch each other (faces, edges or corners), and the sphere of
-/// `radius` that its points sample from above. Nothing if there are no voxels.
+/// that radius that its points sample from above. Nothing if there are no voxels.
 [[nodiscard]] std::optional<ObjectCluster> LargestCluster(const std::vector<VoxelKey>& voxels,
-                                                          double radius, double resolution);
+                                                          const SampledSphere& sphere);
 
 }  // namespace limpet

@@ -34,8 +34,7 @@ BoxMotion::Middles BoxMotion::MiddlesOf(const Detections& frame, double least_co
 
 std::optional<Eigen::Vector2d> BoxMotion::SeenFrom(const Pose& X_DB,
                                                    const Eigen::Vector2d& pixel) const {
-  const Eigen::Vector3d ray_D =
-      RotationOf(last_->X_DB) * camera_.R_BC * camera_.RayOf(pixel.x(), pixel.y());
+  const Eigen::Vector3d ray_D = RotationOf(last_->X_DB) * camera_.R_BC * camera_.RayOf(pixel);
   if (ray_D.z() < kLeastDescent) return std::nullopt;
   const Eigen::Vector3d eye_D = last_->X_DB.p_WB + RotationOf(last_->X_DB) * camera_.p_BC;
   const double below = last_->altitude + last_->X_DB.p_WB.z() - eye_D.z();
@@ -43,11 +42,11 @@ std::optional<Eigen::Vector2d> BoxMotion::SeenFrom(const Pose& X_DB,
   return camera_.Project(camera_.InCamera(X_DB, eye_D + below / ray_D.z() * ray_D));
 }
 
-void BoxMotion::Add(const Detections& frame, const Pose& X_DB, double altitude,
+void BoxMotion::Add(const Detections& frame, const Pose& X_DB, Meters altitude,
                     double least_confidence) {
   View now{.t = frame.exposure.value(),
            .X_DB = X_DB,
-           .altitude = altitude,
+           .altitude = altitude.value(),
            .middles_px = MiddlesOf(frame, least_confidence)};
   if (last_) {
     for (const auto& [color, middle_px] : now.middles_px) {

@@ -10,6 +10,7 @@
 #include "estimation/navigation/motion_comparison.hpp"
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
@@ -23,8 +24,8 @@ class BoxMotion {
   explicit BoxMotion(const CameraModel& camera);
 
   /// An image whose boxes below `least_confidence` do not count, from a pose in any frame that
-  /// stays for seconds, so high above the seabed [m].
-  void Add(const Detections& frame, const Pose& X_DB, double altitude, double least_confidence);
+  /// stays for seconds, so high above the seabed.
+  void Add(const Detections& frame, const Pose& X_DB, Meters altitude, double least_confidence);
   /// What says that the mounting is another than believed, by all of the last stretches alike;
   /// nothing if it is not, or not known yet.
   [[nodiscard]] std::optional<MotionComparison::Ratio> Disagreement() const;

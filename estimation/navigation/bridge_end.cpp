@@ -27,9 +27,10 @@ void BridgeEndCheck::Add(double t, const Eigen::Vector2d& v_D, const Conduct& co
   end.variance_H = bridged_by_->EndVariance(end.length, conduct).array() + white;
 }
 
-std::optional<WaterModel> BridgeEndCheck::Reopen(double t, double yaw) {
+std::optional<WaterModel> BridgeEndCheck::Reopen(double t, Radians yaw) {
   if (!end_ || t - end_->t > kOpenEnd) return std::nullopt;
-  end_ = BridgeEnd{.t = t, .length = end_->length + t - end_->t, .yaw = yaw, .is_open = true};
+  end_ =
+      BridgeEnd{.t = t, .length = end_->length + t - end_->t, .yaw = yaw.value(), .is_open = true};
   return bridged_by_;
 }
 

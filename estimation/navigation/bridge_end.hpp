@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "estimation/navigation/water_model.hpp"
+#include "limpet/core/units.hpp"
 
 namespace limpet {
 
@@ -37,7 +38,7 @@ class BridgeEndCheck {
   void Add(double t, const Eigen::Vector2d& v_D, const Conduct& conduct);
   /// At `t` [s] the first velocities turn out to have been false: the dropout ends here. Answers
   /// with the model before they taught it; nothing if the end is long past.
-  std::optional<WaterModel> Reopen(double t, double yaw);
+  std::optional<WaterModel> Reopen(double t, Radians yaw);
   /// They were true.
   void Close() {
     if (end_) end_->is_open = false;

@@ -24,11 +24,11 @@ void Compass::Begin() {
     smoother_->AddBorderTerm(*slot_, Term::OnBorder(SharedPriorFactor(i, sigma_), *slot_));
 }
 
-void Compass::Use(double t, double heading, int node) {
+void Compass::Use(double t, Radians heading, int node) {
   if (t - used_t_ < params_.period.value()) return;
   used_t_ = t;
-  smoother_->AddTerm(node, Term::OnObservation(CompassFactor(Radians(heading), params_.noise),
-                                               *slot_, Loss::Huber(kHuber)));
+  smoother_->AddTerm(node, Term::OnObservation(CompassFactor(heading, params_.noise), *slot_,
+                                               Loss::Huber(kHuber)));
   if (++used_ % kHeadingsPerLesson == 0) Learn();
 }
 

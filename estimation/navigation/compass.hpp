@@ -41,8 +41,8 @@ class Compass {
   [[nodiscard]] bool is_in_use() const { return params_.sigma > Radians(0.0); }
   /// The smoother has its first pose. REQUIRES: is_in_use().
   void Begin();
-  /// A heading [rad] at the time of `node`; most of them are passed over.
-  void Use(double t, double heading, int node);
+  /// A heading at the time [s] of `node`; most of them are passed over.
+  void Use(double t, Radians heading, int node);
   /// Nothing before Begin.
   [[nodiscard]] std::optional<int> slot() const { return slot_; }
   /// Nothing before Begin.

@@ -32,7 +32,8 @@ void MeasurementBuffer::AddAttitude(const AttitudeEstimate& attitude) {
                          std::isfinite(attitude.pitch) && std::isfinite(attitude.yaw);
   const bool is_in_order = track_.is_empty() || attitude.t > track_.last_time();
   if (!is_finite || !is_in_order ||
-      (!track_.is_empty() && !attitude_gate_.Accepts(attitude.t, track_.last_time()))) {
+      (!track_.is_empty() &&
+       !attitude_gate_.Accepts({.sample = attitude.t, .last = track_.last_time()}))) {
     ++counts_.stale_samples;
     return;
   }
@@ -108,12 +109,12 @@ void MeasurementBuffer::CompareVelocity(double t, const Eigen::Vector3d& v_dvl_B
   }
 }
 
-void MeasurementBuffer::AddAltitude(double t, double dvl_altitude) {
-  if (track_.is_empty() || !IsPlausible(t) || !std::isfinite(dvl_altitude) || dvl_altitude <= 0.0 ||
-      !altitudes_.IsNewest(t)) {
+void MeasurementBuffer::AddAltitude(double t, Meters dvl_altitude) {
+  if (track_.is_empty() || !IsPlausible(t) || !std::isfinite(dvl_altitude.value()) ||
+      dvl_altitude.value() <= 0.0 || !altitudes_.IsNewest(t)) {
     return;
   }
-  altitudes_.Add({t, dvl_altitude + (LevelRotationAt(t) * p_dvl_B_).z()});
+  altitudes_.Add({t, dvl_altitude.value() + (LevelRotationAt(t) * p_dvl_B_).z()});
   dvl_altitude_t_ = t;
 }
 
@@ -124,23 +125,23 @@ void MeasurementBuffer::AddSounding(double t, const Eigen::Vector3d& p_BS, doubl
   altitudes_.Add({t, (LevelRotationAt(t) * p_BE).z()});
 }
 
-void MeasurementBuffer::AddDepth(double t, double depth) {
-  if (!std::isfinite(depth) || !IsPlausible(t) || !depths_.IsNewest(t)) {
+void MeasurementBuffer::AddDepth(double t, Meters depth) {
+  if (!std::isfinite(depth.value()) || !IsPlausible(t) || !depths_.IsNewest(t)) {
     ++counts_.stale_samples;
     return;
   }
-  depths_.Add({t, depth});
+  depths_.Add({t, depth.value()});
 }
 
-void MeasurementBuffer::AddCompass(double t, double off) {
-  if (!std::isfinite(off) || !IsPlausible(t) || !compass_.IsNewest(t)) {
+void MeasurementBuffer::AddCompass(double t, Radians off) {
+  if (!std::isfinite(off.value()) || !IsPlausible(t) || !compass_.IsNewest(t)) {
     ++counts_.stale_samples;
     return;
   }
-  compass_.Add({t, off});
+  compass_.Add({t, off.value()});
   if (!track_.is_empty()) {
     const double yaw = track_.AttitudeAt(t).yaw;
-    agreement_.AddHeadings(t, {.gyro = yaw, .compass = yaw + off});
+    agreement_.AddHeadings(t, {.gyro = yaw, .compass = yaw + off.value()});
   }
 }
 

@@ -16,6 +16,7 @@
 #include "estimation/navigation/time_gate.hpp"
 #include "estimation/navigation/velocity_gate.hpp"
 #include "limpet/core/long_ago.hpp"
+#include "limpet/core/units.hpp"
 #include "limpet/objects/frame.hpp"
 
 namespace limpet {
@@ -38,15 +39,15 @@ class MeasurementBuffer {
   void AddSpecificForce(double t, const Eigen::Vector3d& force_B);
   /// Takes a velocity of the DVL in body axes [m/s]; nothing without lock.
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B);
-  /// Takes the height of the DVL above the seabed [m]; kept as that of the body origin. Comes after
+  /// Takes the height of the DVL above the seabed; kept as that of the body origin. Comes after
   /// an attitude.
-  void AddAltitude(double t, double dvl_altitude);
+  void AddAltitude(double t, Meters dvl_altitude);
   /// Takes the range of an echo sounder in body axes. It counts while the DVL gives no altitude.
   /// Comes after an attitude.
   void AddSounding(double t, const Eigen::Vector3d& p_BS, double range);
-  void AddDepth(double t, double depth);
-  /// Takes how far a compass is off the attitude's yaw [rad].
-  void AddCompass(double t, double off);
+  void AddDepth(double t, Meters depth);
+  /// Takes how far a compass is off the attitude's yaw.
+  void AddCompass(double t, Radians off);
   /// Takes the thrusters' force, as OdometryTrack::AddForce does.
   void AddForce(double t, const Eigen::Vector2d& force_B) {
     if (IsPlausible(t)) track_.AddForce(t, force_B);

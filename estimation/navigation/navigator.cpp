@@ -107,7 +107,7 @@ void Navigator::Begin(double t, const Eigen::Vector2d& p_W) {
 
 void Navigator::UseCompass(double t, int node) {
   if (!compass_.is_in_use()) return;
-  if (const auto heading = measurements_.CompassAt(t)) compass_.Use(t, *heading, node);
+  if (const auto heading = measurements_.CompassAt(t)) compass_.Use(t, Radians(*heading), node);
 }
 
 void Navigator::WorkOff(double limit) {
@@ -187,7 +187,7 @@ void Navigator::TakeFrame(const Detections& frame) {
                  .altitude = measurements_.AltitudeAt(t),
                  .motion = MotionAt(t)};
   if (from.altitude) {
-    box_motion_.Add(frame, measurements_.track().At(t).X_DB, *from.altitude,
+    box_motion_.Add(frame, measurements_.track().At(t).X_DB, Meters(*from.altitude),
                     params_.objects.min_confidence);
   }
   from.x = has_usable ? smoother_.PoseAt(*from.node) : chain_.Predict(t);

@@ -19,6 +19,7 @@
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/navigation/pose_chain.hpp"
 #include "estimation/navigation/water_model.hpp"
+#include "limpet/core/units.hpp"
 
 namespace mrpt::obs {
 class CObservation;
@@ -59,14 +60,14 @@ class Navigator {
   void AddVelocity(double t, const std::optional<Eigen::Vector3d>& v_dvl_B) {
     measurements_.AddVelocity(t, v_dvl_B);
   }
-  /// Height of the DVL above the seabed [m]; kept as that of the body origin. Comes after an
+  /// Height of the DVL above the seabed; kept as that of the body origin. Comes after an
   /// attitude.
-  void AddAltitude(double t, double dvl_altitude) { measurements_.AddAltitude(t, dvl_altitude); }
+  void AddAltitude(double t, Meters dvl_altitude) { measurements_.AddAltitude(t, dvl_altitude); }
   /// The thrusters push with this force from `t` on, ahead and abeam [N].
   void AddForce(double t, const Eigen::Vector2d& force_B) { measurements_.AddForce(t, force_B); }
-  void AddDepth(double t, double depth) { measurements_.AddDepth(t, depth); }
-  /// Takes how far a compass is off the attitude's yaw [rad].
-  void AddCompass(double t, double off) { measurements_.AddCompass(t, off); }
+  void AddDepth(double t, Meters depth) { measurements_.AddDepth(t, depth); }
+  /// Takes how far a compass is off the attitude's yaw.
+  void AddCompass(double t, Radians off) { measurements_.AddCompass(t, off); }
   /// Fix in W [m] with its 1-sigma.
   void AddGps(double t, const Eigen::Vector2d& p_W, double sd) {
     measurements_.AddFix({.t = t, .p_W = p_W, .sd = sd});

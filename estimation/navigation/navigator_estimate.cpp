@@ -58,7 +58,7 @@ NavigatorEstimate EstimateAt(double t, const PoseChain& chain, const Smoother& s
   const OdometryStep step = chain.StepTo(t);
   NavCovariance covariance = CovarianceAfter(step, chain.Head(), smoother);
   AddSilence(t, t - track.t, chain, measurements, covariance);
-  const Pose X_WB = PoseOf(chain.After(step, track.X_DB.roll, track.X_DB.pitch));
+  const Pose X_WB = PoseOf(chain.After(step, {.roll = track.X_DB.roll, .pitch = track.X_DB.pitch}));
   AddUntoldStop(track, X_WB.yaw, covariance);
   NavigatorEstimate estimate{.t = t,
                              .X_WB = X_WB,

@@ -159,29 +159,29 @@ void OdometryErrors::EndBridge() {
   bridge_start_.reset();
 }
 
-Term OdometryErrors::StepTerm(double from, double to) {
-  OdometryStep step = track_.Between(from, to);
-  const auto age = track_.DropoutAge(to);
+Term OdometryErrors::StepTerm(const Interval& span) {
+  OdometryStep step = track_.Between(span);
+  const auto age = track_.DropoutAge(span.high);
   if (!age || *age < kShortDropout) {
-    ConcludeBridge(to);
+    ConcludeBridge(span.high);
     const CalibratedStepFactor factor(step.motion, step.variance, step.duration);
-    return mount_ ? Term::OnStep(factor, std::array{SlowAt(to), *mount_})
-                  : Term::OnStep(factor, std::array{SlowAt(to)});
+    return mount_ ? Term::OnStep(factor, std::array{SlowAt(span.high), *mount_})
+                  : Term::OnStep(factor, std::array{SlowAt(span.high)});
   }
   // The error of the guess is one for many steps: it is estimated, and each step alone is good.
   step.motion = Without(step);
-  const double noise = track_.water().BridgeNoise(track_.ConductAt(to));
+  const double noise = track_.water().BridgeNoise(track_.ConductAt(span.high));
   const double changes = noise * noise * step.duration;
   step.variance.head<2>().array() += changes - step.bridge_variance;
   return Term::OnStep(BridgedStepFactor(step.motion, step.variance, step.duration),
-                      std::array{BridgeAt(to)});
+                      std::array{BridgeAt(span.high)});
 }
 
-OdometryStep OdometryErrors::Corrected(double from, double to) const {
-  OdometryStep step = track_.Between(from, to);
+OdometryStep OdometryErrors::Corrected(const Interval& span) const {
+  OdometryStep step = track_.Between(span);
   step.motion = Without(step);
-  if (!bridge_.empty() && track_.DropoutAge(to)) {
-    const double yaw = track_.AttitudeAt(from).yaw;
+  if (!bridge_.empty() && track_.DropoutAge(span.high)) {
+    const double yaw = track_.AttitudeAt(span.low).yaw;
     step.motion.head<2>() -=
         step.duration * BridgeErrorAhead(smoother_.BorderAt(bridge_.back().slot), yaw);
   }

@@ -8,6 +8,7 @@
 
 #include "estimation/navigation/navigator_params.hpp"
 #include "estimation/smoothing/smoother.hpp"
+#include "limpet/core/interval.hpp"
 
 namespace limpet {
 
@@ -22,16 +23,17 @@ class OdometryErrors {
 
   /// The chain begins at `t` [s].
   void Begin(double t);
-  /// Term on the step from one node to the next, at `from` and `to` [s].
-  [[nodiscard]] Term StepTerm(double from, double to);
+  /// Term on the step from one node to the next, over the span between their times [s].
+  [[nodiscard]] Term StepTerm(const Interval& span);
   /// Slot of scale, misalignment and bias of the yaw rate that hold now. REQUIRES: the chain has
   /// begun.
   [[nodiscard]] int slow_slot() const { return slow_->slot; }
   /// Slot of the gyro's scale and of where the DVL is ahead and to starboard, if these are
   /// estimated.
   [[nodiscard]] std::optional<int> mount_slot() const { return mount_; }
-  /// The track's step, errors as estimated now taken out. REQUIRES: the chain has begun.
-  [[nodiscard]] OdometryStep Corrected(double from, double to) const;
+  /// The track's step over a span of times [s], errors as estimated now taken out. REQUIRES: the
+  /// chain has begun.
+  [[nodiscard]] OdometryStep Corrected(const Interval& span) const;
 
  private:
   /// A border variable that holds from a time [s] on.

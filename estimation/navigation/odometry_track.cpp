@@ -105,7 +105,7 @@ void OdometryTrack::BelieveContested() {
   now.bridge_variance += kContestedShare * kContestedShare * contested_way_.squaredNorm();
   contested_way_.setZero();
   // What the first velocities after a dropout taught was false.
-  const auto before = bridge_end_.Reopen(velocities_.newest_time(), now.attitude.yaw);
+  const auto before = bridge_end_.Reopen(velocities_.newest_time(), Radians(now.attitude.yaw));
   if (before) water_ = *before;
 }
 
@@ -266,8 +266,8 @@ TrackPose OdometryTrack::At(double t) const {
   return pose;
 }
 
-OdometryStep OdometryTrack::Between(double from, double to) const {
-  const Sample a = SampleAt(from), b = SampleAt(to);
+OdometryStep OdometryTrack::Between(const Interval& span) const {
+  const Sample a = SampleAt(span.low), b = SampleAt(span.high);
   const Eigen::Vector3d p_a = a.p_dvl - a.R_DB * params_.dvl_B;
   const Eigen::Vector3d p_b = b.p_dvl - b.R_DB * params_.dvl_B;
   const double cos_yaw = std::cos(a.attitude.yaw), sin_yaw = std::sin(a.attitude.yaw);
@@ -275,7 +275,7 @@ OdometryStep OdometryTrack::Between(double from, double to) const {
   OdometryStep step;
   step.motion << cos_yaw * moved.x() + sin_yaw * moved.y(),
       cos_yaw * moved.y() - sin_yaw * moved.x(), moved.z(), b.attitude.yaw - a.attitude.yaw;
-  step.duration = to - from;
+  step.duration = span.high - span.low;
   step.path = b.path - a.path;
 
   const double white =

@@ -16,6 +16,7 @@
 #include "estimation/navigation/untold_stop.hpp"
 #include "estimation/navigation/water_model.hpp"
 #include "limpet/core/frames.hpp"
+#include "limpet/core/interval.hpp"
 #include "limpet/core/units.hpp"
 
 namespace limpet {
@@ -142,8 +143,8 @@ class OdometryTrack {
   [[nodiscard]] AttitudeEstimate AttitudeAt(double t) const;
   /// Way travelled since the first sample [m].
   [[nodiscard]] double PathAt(double t) const;
-  /// REQUIRES: !is_empty(), from <= to.
-  [[nodiscard]] OdometryStep Between(double from, double to) const;
+  /// The motion over a span of times [s]. REQUIRES: neither buffer nor span is empty.
+  [[nodiscard]] OdometryStep Between(const Interval& span) const;
   /// Forgets what is older than `t`.
   void DropBefore(double t);
 

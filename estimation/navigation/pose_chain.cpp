@@ -82,7 +82,8 @@ int PoseChain::NodeAt(double t) {
     return size() - 1;
   }
   const double since = head_time();
-  Term step = errors_.StepTerm(since, t);  // first: the prediction is with the errors that hold now
+  Term step =
+      errors_.StepTerm({since, t});  // first: the prediction is with the errors that hold now
   const int node = smoother_.AddNode(Predict(t), std::move(step));
   AddTilt(node, t);
   AddDepth(node, {since, t});
@@ -205,7 +206,7 @@ void PoseChain::LearnFixError(const FixConsensus::Verdict& verdict) {
 void PoseChain::LearnFrom(const HeldFix& held, double since) {
   const OdometryTrack& track = measurements_.track();
   const double begin = std::clamp(since, std::min(track.first_time(), held.fix.t), held.fix.t);
-  const double drift = track.Between(std::max(begin, held.fix.t - kLongestReckoning), held.fix.t)
+  const double drift = track.Between({std::max(begin, held.fix.t - kLongestReckoning), held.fix.t})
                            .variance.head<2>()
                            .mean();
   fix_error_.Add({.t = held.fix.t, .off_W = held.off_W, .sd = held.fix.sd, .drift = drift});
@@ -274,24 +275,24 @@ TermId PoseChain::AddFixTerm(const Stay& stay, std::size_t number) {
 }
 
 OdometryStep PoseChain::StepTo(double t) const {
-  return errors_.Corrected(head_time(), std::max(t, head_time()));
+  return errors_.Corrected({head_time(), std::max(t, head_time())});
 }
 
-NavVector PoseChain::After(const OdometryStep& step, double roll, double pitch) const {
+NavVector PoseChain::After(const OdometryStep& step, const Tilt& tilt) const {
   NavVector x = Head();
   const double c = std::cos(x(kNavYaw)), s = std::sin(x(kNavYaw));
   x(kNavX) += c * step.motion.x() - s * step.motion.y();
   x(kNavY) += s * step.motion.x() + c * step.motion.y();
   x(kNavZ) += step.motion.z();
   x(kNavYaw) += step.motion.w();
-  x(kNavPitch) = pitch;
-  x(kNavRoll) = roll;
+  x(kNavPitch) = tilt.pitch;
+  x(kNavRoll) = tilt.roll;
   return x;
 }
 
 NavVector PoseChain::Predict(double t) const {
   const AttitudeEstimate attitude = measurements_.track().AttitudeAt(t);
-  return After(StepTo(t), attitude.roll, attitude.pitch);
+  return After(StepTo(t), {.roll = attitude.roll, .pitch = attitude.pitch});
 }
 
 Pose PoseChain::DeadReckoned(double t) const {

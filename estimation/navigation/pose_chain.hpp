@@ -48,8 +48,12 @@ class PoseChain {
 
   /// Motion from the head to `t`, slow errors taken out.
   [[nodiscard]] OdometryStep StepTo(double t) const;
-  /// The head after a step, with the tilt [rad] that is measured then.
-  [[nodiscard]] NavVector After(const OdometryStep& step, double roll, double pitch) const;
+  /// Roll and pitch [rad].
+  struct Tilt {
+    double roll = 0.0, pitch = 0.0;
+  };
+  /// The head after a step, with the tilt that is measured then.
+  [[nodiscard]] NavVector After(const OdometryStep& step, const Tilt& tilt) const;
   [[nodiscard]] NavVector Predict(double t) const;
   /// Bottom track alone from the first pose on.
   [[nodiscard]] Pose DeadReckoned(double t) const;

@@ -13,9 +13,13 @@ namespace limpet {
 /// stop the clock for all that follows, but a real gap goes on.
 class TimeGate {
  public:
-  /// `t`: of the sample, `last`: of the last accepted one [s].
-  [[nodiscard]] bool Accepts(double t, double last) {
-    if (t - last > kTimeLeap) {
+  /// Times of a sample and of the last accepted one [s].
+  struct Times {
+    double sample = 0.0, last = 0.0;
+  };
+  [[nodiscard]] bool Accepts(const Times& times) {
+    const double t = times.sample;
+    if (t - times.last > kTimeLeap) {
       if (!leaps_.empty() && std::abs(t - leaps_.back()) > kLeapAgreement) leaps_.clear();
       leaps_.push_back(t);
       if (leaps_.size() < std::size_t{kLeapSamples}) return false;

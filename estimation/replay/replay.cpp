@@ -38,7 +38,7 @@ class Replayer {
     // The other sensors' rows drive the estimator; attitude alone does only when they are silent.
     if (row.t - now_ > kSilence) AdvanceTo(row.t);
   }
-  void operator()(const FogRow& row) { filter_.AddFogRate(row.t, row.rate); }
+  void operator()(const FogRow& row) { filter_.AddFogRate(row.t, RadiansPerSecond(row.rate)); }
   void operator()(const InertialInput& row) {
     if (!filter_.AddInertial(row)) {
       ++refused_inertial_;
@@ -52,12 +52,12 @@ class Replayer {
   }
   void operator()(const DvlRow& row) {
     navigator_.AddVelocity(row.t, row.v_WD_B);
-    if (row.altitude) navigator_.AddAltitude(row.t, *row.altitude);
+    if (row.altitude) navigator_.AddAltitude(row.t, Meters(*row.altitude));
     AdvanceTo(row.t);
     const bool is_filtering = filter_.estimate().has_value() && navigator_.has_started();
     if (is_filtering) filter_.SetBodyVelocity(navigator_.Estimate(now_).v_B);
   }
-  void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, row.depth); }
+  void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, Meters(row.depth)); }
   void operator()(const PositionFix& row) {
     navigator_.AddGps(row.t, row.p_W, row.sd);
     AdvanceTo(row.t);

@@ -25,6 +25,10 @@ std::string ReasonOf(const std::vector<int>& held) {
   return reason;
 }
 
+bool HasSettled(const ArrowParams& params, double before, double cost) {
+  return std::abs(before - cost) <= params.converged_decrease * std::max(cost, 1.0);
+}
+
 }  // namespace
 
 ArrowSmoother::ArrowSmoother(const ArrowParams& params)
@@ -217,10 +221,6 @@ void ArrowSmoother::RelinearizeAll() {
   is_root_old_ = true;
 }
 
-bool ArrowSmoother::HasSettled(double before, double cost) const {
-  return std::abs(before - cost) <= params_.converged_decrease * std::max(cost, 1.0);
-}
-
 bool ArrowSmoother::StepAll(double& cost) {
   ChainGraph& graph = chain_.graph();
   const ChainValues from = ValuesOf(graph);
@@ -238,7 +238,7 @@ bool ArrowSmoother::StepAll(double& cost) {
     border.insert(border.end(), p.data(), p.data() + 3);
   }
   estimates_.SetBorder(border);
-  if (step.share < 1.0 || !HasSettled(before, cost)) return false;
+  if (step.share < 1.0 || !HasSettled(params_, before, cost)) return false;
   // The whole step changed next to nothing: the linearisation that it came from still holds.
   SetValues(from, graph);
   return true;
@@ -266,7 +266,7 @@ SolveReport ArrowSmoother::Converge() {
     is_linearised = StepAll(cost);
     ++report.iterations;
     report.eliminated_nodes += graph.node_count();
-    report.has_converged = HasSettled(before, cost);
+    report.has_converged = HasSettled(params_, before, cost);
   }
   if (!is_linearised) {
     RelinearizeAll();

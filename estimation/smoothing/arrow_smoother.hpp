@@ -89,7 +89,6 @@ class ArrowSmoother final : public Smoother {
   /// Goes from the graph's values towards the estimates as far as the cost does not rise. True if
   /// that was all the way and changed next to nothing: then all stays linearised where it was.
   bool StepAll(double& cost);
-  [[nodiscard]] bool HasSettled(double before, double cost) const;
 
   ArrowParams params_;
   ArrowChain chain_;

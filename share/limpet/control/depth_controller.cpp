@@ -4,7 +4,9 @@
 namespace limpet {
 
 DepthController::DepthController(const Gains& gains, const Hydrodynamics& hydro)
-    : gains_(gains), hydro_(hydro), integral_(gains.integral, gains.integral_limit) {}
+    : gains_(gains),
+      hydro_(hydro),
+      integral_({.gain = gains.integral, .limit = gains.integral_limit}) {}
 
 void DepthController::Reset(double depth) {
   integral_.Reset();
@@ -33,7 +35,7 @@ double DepthController::Update(const Input& input, double dt, bool is_saturated)
   const double error = reference_ - input.depth;
   const double acceleration = reference_acceleration + gains_.depth * error +
                               gains_.rate * (reference_rate_ - input.depth_rate) +
-                              integral_.Update(error, dt, is_saturated);
+                              integral_.Update(error, Seconds(dt), is_saturated);
   return hydro_.mass_matrix(kHeave, kHeave) * acceleration +
          DragForce(hydro_, kHeave, reference_rate_) + hydro_.buoyancy_n - hydro_.weight_n;
 }

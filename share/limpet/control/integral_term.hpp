@@ -4,17 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limpet/core/units.hpp"
+
 namespace limpet {
 
 /// The integral part of a controller: bounded, and it stands still while its actuators cannot
 /// follow and it would only push further.
 class IntegralTerm {
  public:
-  IntegralTerm(double gain, double limit) : gain_(gain), limit_(limit) {}
+  struct Gains {
+    double gain = 0.0;
+    double limit = 0.0;
+  };
+  explicit IntegralTerm(const Gains& gains) : gains_(gains) {}
 
   /// What the integral adds after `dt` more of `error`; in the unit of `limit`.
-  double Update(double error, double dt, bool is_saturated) {
-    const double next = std::clamp(value_ + gain_ * error * dt, -limit_, limit_);
+  double Update(double error, Seconds dt, bool is_saturated) {
+    const double next =
+        std::clamp(value_ + gains_.gain * error * dt.value(), -gains_.limit, gains_.limit);
     if (!is_saturated || std::abs(next) < std::abs(value_)) value_ = next;
     return value_;
   }
@@ -22,8 +29,7 @@ class IntegralTerm {
   [[nodiscard]] double value() const { return value_; }
 
  private:
-  double gain_;
-  double limit_;
+  Gains gains_;
   double value_ = 0.0;
 };
 

@@ -53,7 +53,7 @@ Eigen::Vector2d Pilot::HorizontalForce(const NavState& nav, const DesiredMotion&
                                    .turn_rate = nav.yaw_rate,
                                    .current_u = current_B_.x(),
                                    .current_v = current_B_.y()});
-  return {desired.speed ? speed_.Force(lack, current_B_.x()) : 0.0, sway};
+  return {desired.speed ? speed_.Force({.lack = lack, .current = current_B_.x()}) : 0.0, sway};
 }
 
 Wrench Pilot::WantedWrench(const NavState& nav, const DesiredMotion& desired, double dt) {

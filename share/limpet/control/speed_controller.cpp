@@ -21,9 +21,9 @@ double SpeedController::Lack(const Input& input, double dt) {
   return reference_ - input.speed;
 }
 
-double SpeedController::Force(double lack, double current) const {
-  return hydro_.mass_matrix(kSurge, kSurge) * (ramp_ + gains_.speed * lack) +
-         DragForce(hydro_, kSurge, reference_ - current);
+double SpeedController::Force(const Demand& demand) const {
+  return hydro_.mass_matrix(kSurge, kSurge) * (ramp_ + gains_.speed * demand.lack) +
+         DragForce(hydro_, kSurge, reference_ - demand.current);
 }
 
 }  // namespace limpet

@@ -23,8 +23,13 @@ class SpeedController {
   };
   /// Moves the ramp on by `dt` [s]; what the speed lacks of it [m/s].
   double Lack(const Input& input, double dt);
-  /// Surge force [N] in a current along the nose [m/s].
-  [[nodiscard]] double Force(double lack, double current) const;
+  /// What the speed lacks, and the current along the nose [m/s].
+  struct Demand {
+    double lack = 0.0;
+    double current = 0.0;
+  };
+  /// Surge force [N].
+  [[nodiscard]] double Force(const Demand& demand) const;
   /// Starts again from a speed.
   void Reset(double speed);
 

@@ -25,15 +25,18 @@ struct CameraModel {
   Eigen::Matrix3d R_BC = LookingDown();
   Eigen::Vector3d p_BC = Eigen::Vector3d::Zero();  ///< lever arm in the body frame [m]
 
-  /// Model of an image whose middle is the optical axis; `across` and `along`: full angles over its
-  /// width and height [rad].
-  [[nodiscard]] static CameraModel FromFieldOfView(int width_px, int height_px, double across,
-                                                   double along) {
+  /// Full angles over the image's width and height [rad].
+  struct FieldOfView {
+    double across = RadiansFromDegrees(80.0), along = RadiansFromDegrees(60.0);
+  };
+  /// Model of an image whose middle is the optical axis.
+  [[nodiscard]] static CameraModel FromFieldOfView(int width_px, int height_px,
+                                                   const FieldOfView& field) {
     CameraModel camera;
     camera.width_px = width_px;
     camera.height_px = height_px;
-    camera.fx = FocalLength(width_px, across);
-    camera.fy = FocalLength(height_px, along);
+    camera.fx = FocalLength(width_px, field.across);
+    camera.fy = FocalLength(height_px, field.along);
     camera.cx = 0.5 * width_px;
     camera.cy = 0.5 * height_px;
     return camera;
@@ -66,8 +69,8 @@ struct CameraModel {
     return Eigen::Vector2d(cx + fx * p_C.x() / p_C.z(), cy + fy * p_C.y() / p_C.z());
   }
   /// Unit vector in C towards what a pixel shows.
-  [[nodiscard]] Eigen::Vector3d RayOf(double u, double v) const {
-    return Eigen::Vector3d((u - cx) / fx, (v - cy) / fy, 1.0).normalized();
+  [[nodiscard]] Eigen::Vector3d RayOf(const Eigen::Vector2d& pixel) const {
+    return Eigen::Vector3d((pixel.x() - cx) / fx, (pixel.y() - cy) / fy, 1.0).normalized();
   }
 
  private:

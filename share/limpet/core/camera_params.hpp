@@ -62,8 +62,8 @@ struct CameraParams {
   }
   /// The image as it comes, but for the lens' distortion.
   [[nodiscard]] CameraModel pinhole() const {
-    CameraModel camera =
-        CameraModel::FromFieldOfView(width_px, height_px, fov_across.value(), fov_along.value());
+    CameraModel camera = CameraModel::FromFieldOfView(
+        width_px, height_px, {.across = fov_across.value(), .along = fov_along.value()});
     camera.p_BC = p_BC;
     if (tilt != Radians(0.0)) {
       camera.R_BC = RotationFromRollPitchYaw(0.0, tilt.value(), 0.0) * camera.R_BC;

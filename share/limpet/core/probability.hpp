@@ -32,11 +32,18 @@ namespace limpet {
   return 0.5 * std::erfc(-off / std::sqrt(2.0 * variance));
 }
 
-/// -2 ln of a normal density, from the squared Mahalanobis distance to its mean and ln of its
-/// covariance's determinant. The argument of the logarithm has the unit of the variables to the
+/// How far from a normal density's mean: the squared Mahalanobis distance, and ln of the
+/// determinant of the covariance that it is counted in.
+struct NormalMisfit {
+  double distance2 = 0.0;
+  double log_determinant = 0.0;
+  int dimensions = 1;
+};
+/// -2 ln of the density there. The argument of the logarithm has the unit of the variables to the
 /// power of minus `dimensions`, so costs compare only among variables of one kind.
-[[nodiscard]] inline double NormalCost(double distance2, double log_determinant, int dimensions) {
-  return distance2 + log_determinant + dimensions * std::log(2.0 * std::numbers::pi);
+[[nodiscard]] inline double NormalCost(const NormalMisfit& misfit) {
+  return misfit.distance2 + misfit.log_determinant +
+         misfit.dimensions * std::log(2.0 * std::numbers::pi);
 }
 
 }  // namespace limpet

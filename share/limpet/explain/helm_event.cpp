@@ -53,9 +53,9 @@ void HelmEvents::Take(const LoggedWord& word, double time) {
   }
 }
 
-std::span<const HelmEvent> HelmEvents::Between(double begin, double end) const {
-  const auto from = std::ranges::upper_bound(events_, begin, {}, &HelmEvent::time);
-  const auto to = std::ranges::upper_bound(events_, end, {}, &HelmEvent::time);
+std::span<const HelmEvent> HelmEvents::Between(const Interval& span) const {
+  const auto from = std::ranges::upper_bound(events_, span.low, {}, &HelmEvent::time);
+  const auto to = std::ranges::upper_bound(events_, span.high, {}, &HelmEvent::time);
   if (to <= from) return {};
   return {from, to};
 }

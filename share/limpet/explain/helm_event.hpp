@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "limpet/core/interval.hpp"
+
 namespace limpet {
 
 struct HelmEvent {
@@ -33,7 +35,7 @@ class HelmEvents {
 
   [[nodiscard]] const std::vector<HelmEvent>& events() const { return events_; }
   /// Those after `begin`, until `end`.
-  [[nodiscard]] std::span<const HelmEvent> Between(double begin, double end) const;
+  [[nodiscard]] std::span<const HelmEvent> Between(const Interval& span) const;
 
  private:
   void Add(HelmEvent::Kind kind, std::string_view who, std::string what);

@@ -49,7 +49,7 @@ class ChangeFinder {
   /// The change at `now`, if it is one.
   std::optional<MotionChange> Next(const LoggedMotion& now) {
     const std::span<const HelmEvent> events =
-        log_.events().Between(heard_until_, now.time + DecisionLog::kIteration);
+        log_.events().Between({heard_until_, now.time + DecisionLog::kIteration});
     heard_until_ = now.time + DecisionLog::kIteration;
     const std::string difference = last_ ? DifferenceBetween(last_->motion, now.motion) : "";
     if (last_ && difference.empty() && ModesIn(events).empty()) return std::nullopt;
@@ -66,9 +66,9 @@ class ChangeFinder {
   }
   /// A stop is over, which is a change by itself.
   MotionChange After(MotionChange stop) {
-    AddTo(
-        EventsText(ModesIn(log_.events().Between(stop.time - DecisionLog::kIteration, stop.time))),
-        stop.cause);
+    AddTo(EventsText(
+              ModesIn(log_.events().Between({stop.time - DecisionLog::kIteration, stop.time}))),
+          stop.cause);
     heard_until_ = std::max(heard_until_, stop.time);
     last_ = stop.motion;
     return stop;

@@ -107,7 +107,7 @@ Figure BeliefFigure(const FigureSource& source) {
       std::max(surveyed.empty() ? way.path(way.size() - 1) - start_path : surveyed.back(), 1.0);
   const std::map<int, Shares> shares = SharesOf(source.record, way, start_path, far);
   const double height = kBeliefRow * static_cast<double>(shares.size());
-  SvgCanvas canvas(kBeliefLeft + kBeliefWidth + 24.0, kBeliefTop + height + 48.0,
+  SvgCanvas canvas({kBeliefLeft + kBeliefWidth + 24.0, kBeliefTop + height + 48.0},
                    "Belief about each object");
   canvas.Text({kBeliefLeft - 26.0, 24.0}, "How sure it was about each object as it went",
               {.size = 17.0, .is_bold = true});

@@ -35,7 +35,7 @@ void MarkLevels(SvgCanvas& canvas, const PlotAxes& axes, const std::vector<Cover
   for (const CoverageLevel& level : levels) {
     const std::optional<double>& x = against == Against::kWay ? level.path_m : level.time_s;
     if (!x) continue;
-    const Point at = axes.At(*x, 100.0 * level.level);
+    const Point at = axes.At({*x, 100.0 * level.level});
     canvas.Circle(at, 4.2, {.fill = paint.stroke, .stroke = palette::kPaper, .width = 1.5});
     canvas.Text(at + (is_above ? Point(-8.0, -4.0) : Point(8.0, 13.0)), fmt::format("{:.0f}", *x),
                 {.size = 11.5,
@@ -107,7 +107,7 @@ Figure CoverageFigure(const FigureSource& source) {
   const CoverageScore& coverage = source.score.coverage;
   const auto footprint = source.settings.footprint_m();
   constexpr double kPanel = kCoverageHeight + kCoverageGap;
-  SvgCanvas canvas(kCoverageLeft + kCoverageWidth + 24.0, kCoverageTop + 2.0 * kPanel - 10.0,
+  SvgCanvas canvas({kCoverageLeft + kCoverageWidth + 24.0, kCoverageTop + 2.0 * kPanel - 10.0},
                    "Coverage against way and time");
   canvas.Text({kCoverageLeft, 24.0},
               fmt::format("Seen at the end: {:.1f} % of the bottom, {:.1f} % of the band",

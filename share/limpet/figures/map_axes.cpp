@@ -33,8 +33,9 @@ MapAxes::MapAxes(const SurveyArea& area, const std::string& title, const std::st
       east_min_(area.east_min - area.margin),
       east_max_(area.east_max + area.margin),
       scale_(ScaleFor(north_max_ - north_min_, east_max_ - east_min_)),
-      canvas_(kMapLeft + (east_max_ - east_min_) * scale_ + kMapGap + kLegendWidth,
-              kMapTop + std::max((north_max_ - north_min_) * scale_, 300.0) + kMapBottom, title),
+      canvas_({kMapLeft + (east_max_ - east_min_) * scale_ + kMapGap + kLegendWidth,
+               kMapTop + std::max((north_max_ - north_min_) * scale_, 300.0) + kMapBottom},
+              title),
       legend_y_(kMapTop + 6.0) {
   DrawFrame(title, subtitle);
 }
@@ -50,12 +51,12 @@ void MapAxes::DrawFrame(const std::string& title, const std::string& subtitle) {
   canvas_.Text({kMapLeft, 44.0}, subtitle, {.size = 12.5, .fill = palette::kMuted});
   canvas_.Rect(corner, size, {.fill = palette::kUnseen});
   const double bottom = corner.y() + size.y();
-  for (const double east : TickMarks(east_min_, east_max_, 9)) {
+  for (const double east : TickMarks({east_min_, east_max_}, 9)) {
     const double x = At({0.0, east}).x();
     canvas_.Line({x, bottom}, {x, bottom + 5.0}, {.stroke = palette::kMuted});
     canvas_.Text({x, bottom + 19.0}, TickText(east), {.anchor = Anchor::kMiddle});
   }
-  for (const double north : TickMarks(north_min_, north_max_, 8)) {
+  for (const double north : TickMarks({north_min_, north_max_}, 8)) {
     const double y = At({north, 0.0}).y();
     canvas_.Line({corner.x() - 5.0, y}, {corner.x(), y}, {.stroke = palette::kMuted});
     canvas_.Text({corner.x() - 9.0, y + 4.0}, TickText(north), {.anchor = Anchor::kEnd});

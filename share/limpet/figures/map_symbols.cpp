@@ -16,11 +16,11 @@ using Point = SvgCanvas::Point;
 
 }  // namespace
 
-void DrawTriangle(SvgCanvas& canvas, const Point& centre, double radius, double turn_rad,
+void DrawTriangle(SvgCanvas& canvas, const Point& centre, double radius, Radians turn,
                   const Paint& paint) {
   std::vector<Point> corners;
   for (int k = 0; k < 3; ++k) {
-    const double angle = turn_rad + 2.0 * std::numbers::pi * k / 3.0;
+    const double angle = turn.value() + 2.0 * std::numbers::pi * k / 3.0;
     corners.emplace_back(centre + radius * Point(std::sin(angle), -std::cos(angle)));
   }
   canvas.Polygon(corners, paint);
@@ -41,7 +41,7 @@ void DrawStatus(SvgCanvas& canvas, const Point& centre, Status status, double ra
     DrawCross(canvas, centre, 0.85 * radius, {.stroke = palette::kHalo, .width = 6.5});
     DrawCross(canvas, centre, 0.85 * radius, {.stroke = color, .width = 3.5});
   } else if (status == Status::kNew) {
-    DrawTriangle(canvas, centre + Point(0.0, 0.15 * radius), 1.3 * radius, 0.0, solid);
+    DrawTriangle(canvas, centre + Point(0.0, 0.15 * radius), 1.3 * radius, Radians(0.0), solid);
   } else if (status == Status::kMoved) {
     canvas.Polygon({centre + Point(0.0, -1.2 * radius), centre + Point(1.2 * radius, 0.0),
                     centre + Point(0.0, 1.2 * radius), centre + Point(-1.2 * radius, 0.0)},

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "limpet/core/units.hpp"
 #include "limpet/figures/map_axes.hpp"
 #include "limpet/mission/scenario.hpp"
 #include "limpet/objects/status_posterior.hpp"
@@ -36,7 +37,7 @@ void DrawLabel(MapAxes& map, const Eigen::Vector3d& p_W, const PlaceLabel& label
 /// Draws where the vehicle started and should end.
 void DrawHome(SvgCanvas& canvas, const SvgCanvas::Point& centre);
 
-void DrawTriangle(SvgCanvas& canvas, const SvgCanvas::Point& centre, double radius, double turn_rad,
+void DrawTriangle(SvgCanvas& canvas, const SvgCanvas::Point& centre, double radius, Radians turn,
                   const Paint& paint);
 void DrawCross(SvgCanvas& canvas, const SvgCanvas::Point& centre, double radius,
                const Paint& paint);

@@ -73,7 +73,7 @@ void DrawAxis(SvgCanvas& canvas, const ErrorPanel& panel, const std::vector<doub
 Figure NavigationFigure(const FigureSource& source) {
   const NavScore& nav = source.score.nav;
   const NavErrorCurve& curve = nav.curve;
-  SvgCanvas canvas(chart::kLeft + chart::kWidth + 24.0, 636.0, "Navigation error");
+  SvgCanvas canvas({chart::kLeft + chart::kWidth + 24.0, 636.0}, "Navigation error");
   canvas.Text({chart::kLeft, 24.0},
               fmt::format("Position error {} rms; at the end {}, dead reckoning {}",
                           MetresText(nav.position_rmse_m), MetresText(nav.final_error_m),

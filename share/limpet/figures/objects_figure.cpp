@@ -169,9 +169,9 @@ Figure CloseUpFigure(const FigureSource& source) {
   constexpr double kLeft = 24.0, kTop = 92.0, kGap = 26.0, kPerRow = 4.0;
   const auto& found = source.score.opis.found;
   const double rows = std::ceil(static_cast<double>(found.size()) / kPerRow);
-  SvgCanvas canvas(2.0 * kLeft + kPerRow * (kCloseUp + kGap) - kGap,
-                   kTop + rows * (kCloseUp + 74.0) - 22.0,
-                   "Objects close up, " + source.record.name);
+  SvgCanvas canvas(
+      {2.0 * kLeft + kPerRow * (kCloseUp + kGap) - kGap, kTop + rows * (kCloseUp + 74.0) - 22.0},
+      "Objects close up, " + source.record.name);
   canvas.Text({kLeft, 24.0}, "Objects close up: where they are and where they were said to be",
               {.size = 17.0, .is_bold = true});
   canvas.Text({kLeft, 44.0},

@@ -64,9 +64,9 @@ std::string EscapedMarkup(std::string_view text) {
   return out;
 }
 
-SvgCanvas::SvgCanvas(double width, double height, std::string_view title)
-    : width_(width),
-      height_(height),
+SvgCanvas::SvgCanvas(const Point& size, std::string_view title)
+    : width_(size.x()),
+      height_(size.y()),
       title_(title),
       id_(fmt::format("c{:x}", MixSeed(0, title) & 0xffffffU)) {}
 

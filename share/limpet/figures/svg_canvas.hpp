@@ -35,7 +35,7 @@ class SvgCanvas {
  public:
   using Point = Eigen::Vector2d;
   /// `title` is what screen readers say.
-  SvgCanvas(double width, double height, std::string_view title);
+  SvgCanvas(const Point& size, std::string_view title);
 
   void Line(const Point& a, const Point& b, const Paint& paint);
   void Polyline(const std::vector<Point>& points, const Paint& paint);

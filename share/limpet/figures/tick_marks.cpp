@@ -8,7 +8,8 @@
 
 namespace limpet {
 
-std::vector<double> TickMarks(double low, double high, int count) {
+std::vector<double> TickMarks(const Interval& range, int count) {
+  const auto [low, high] = range;
   if (!(high > low) || count < 1) return {};
   const double rough = (high - low) / count;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));

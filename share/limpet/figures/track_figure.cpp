@@ -115,7 +115,7 @@ void DrawDirection(MapAxes& map, const PoseTrack& truth) {
     if (step.norm() < 1e-6) continue;  // on the spot, e.g. while diving
     next = truth.path(i) + apart;
     DrawTriangle(map.canvas(), map.At({truth.north(i), truth.east(i)}), 5.5,
-                 std::atan2(step.x(), -step.y()), {.fill = palette::kMapInk});
+                 Radians(std::atan2(step.x(), -step.y())), {.fill = palette::kMapInk});
   }
 }
 

@@ -226,7 +226,7 @@ void MotionArbiter::Choose(const VehicleState& state) {
     value = is_at_points_ ? MaximizeOverPoints(peaks, *axis, variable)
             : variable == MotionVariable::kCourse
                 ? MaximizeOverCircle(peaks)
-                : MaximizeOverInterval(peaks, axis->low, axis->high);
+                : MaximizeOverInterval(peaks, {axis->low, axis->high});
   }
   decision_.course = chosen[0];
   decision_.speed = chosen[1];

@@ -25,7 +25,7 @@ std::vector<MapPoint> MapPointsOf(const DubinsPath& path, double sagitta) {
   for (const PathSegment& segment : path.segments()) {
     const int chords = ChordsOf(segment, sagitta);
     for (int i = 0; i < chords; ++i) {
-      pose = Advance(pose, segment.curvature, segment.length / chords);
+      pose = Advance(pose, {.curvature = segment.curvature, .length = segment.length / chords});
       points.push_back(MapPointOf({pose.north, pose.east}));
     }
   }

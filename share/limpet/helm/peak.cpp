@@ -62,10 +62,10 @@ struct Discord {
   double dissent = 0.0;
 };
 
-Discord DiscordAt(std::span<const WeightedPeak> peaks, double x, double low) {
+Discord DiscordAt(std::span<const WeightedPeak> peaks, double x, const Interval& domain) {
   Discord discord;
   for (const auto& [peak, weight] : peaks) {
-    discord.beyond_limits += weight * BeyondLimit(peak, x, low);
+    discord.beyond_limits += weight * BeyondLimit(peak, x, domain);
     discord.dissent += weight * BeyondTop(peak, x);
   }
   return discord;
@@ -119,8 +119,8 @@ double PeakValue(const Peak& peak, double distance) {
   return edge * std::clamp(1.0 - beyond / (peak.base_half_width - top), 0.0, 1.0);
 }
 
-double BeyondLimit(const Peak& peak, double x, double low) {
-  const bool is_limit = peak.edge_value >= 1.0 && peak.summit - peak.flat_half_width <= low;
+double BeyondLimit(const Peak& peak, double x, const Interval& domain) {
+  const bool is_limit = peak.edge_value >= 1.0 && peak.summit - peak.flat_half_width <= domain.low;
   return is_limit ? std::max(0.0, x - (peak.summit + peak.flat_half_width)) : 0.0;
 }
 
@@ -128,13 +128,14 @@ double BeyondTop(const Peak& peak, double x) {
   return std::max(0.0, std::abs(x - peak.summit) - peak.flat_half_width);
 }
 
-double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low, double high) {
-  LIMPET_REQUIRE(!peaks.empty() && low <= high, "a decision needs a preference and a domain");
+double MaximizeOverInterval(std::span<const WeightedPeak> peaks, const Interval& domain) {
+  LIMPET_REQUIRE(!peaks.empty() && domain.low <= domain.high,
+                 "a decision needs a preference and a domain");
   BestOf best(peaks, [](double x, double summit) { return x - summit; });
-  const auto consider = [&](double x) { best.Consider(x, DiscordAt(peaks, x, low)); };
-  VisitCandidates(peaks, [&](double x) { consider(std::clamp(x, low, high)); });
-  consider(low);
-  consider(high);
+  const auto consider = [&](double x) { best.Consider(x, DiscordAt(peaks, x, domain)); };
+  VisitCandidates(peaks, [&](double x) { consider(domain.Nearest(x)); });
+  consider(domain.low);
+  consider(domain.high);
   return best.best();
 }
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "limpet/core/interval.hpp"
+
 namespace limpet {
 
 /// A preference over one decision variable: 1 on the flat top around `summit`, falling linearly to
@@ -21,11 +23,15 @@ struct Peak {
 /// Share of a behavior's weight that each variable gets where the behavior couples two.
 inline constexpr double kCoupledShare = 0.5;
 
-/// Where a peak ends that is flat to `flat_half_width` and falls over `skirt`; one without a skirt
-/// gets a thin one.
-[[nodiscard]] constexpr double BaseBeyond(double flat_half_width, double skirt) {
+/// One side of a peak, from its summit on: flat, then falling over the skirt.
+struct PeakSide {
+  double flat_half_width = 0.0;
+  double skirt = 0.0;
+};
+/// Where that side ends; one without a skirt gets a thin one.
+[[nodiscard]] constexpr double BaseBeyond(const PeakSide& side) {
   constexpr double kLeastSkirt = 1e-3;
-  return flat_half_width + (skirt > kLeastSkirt ? skirt : kLeastSkirt);
+  return side.flat_half_width + (side.skirt > kLeastSkirt ? side.skirt : kLeastSkirt);
 }
 
 struct WeightedPeak {
@@ -36,18 +42,19 @@ struct WeightedPeak {
 /// Value of a peak at a distance from its summit, in [0, 1].
 [[nodiscard]] double PeakValue(const Peak& peak, double distance);
 
-/// How far beyond a limit `x` is: a peak that is as good from `low` up to the end of its top sets
-/// one there, as safety behaviors do; 0 for other peaks.
-[[nodiscard]] double BeyondLimit(const Peak& peak, double x, double low);
+/// How far beyond a limit `x` is: a peak that is as good from the low end of the domain up to the
+/// end of its top sets one there, as safety behaviors do; 0 for other peaks.
+[[nodiscard]] double BeyondLimit(const Peak& peak, double x, const Interval& domain);
 /// How far beyond the top of a peak `x` is.
 [[nodiscard]] double BeyondTop(const Peak& peak, double x);
 
-/// The exact maximiser of the weighted sum over [low, high]. The sum is piecewise linear, so its
+/// The exact maximiser of the weighted sum over the domain. The sum is piecewise linear, so its
 /// maximum is at a summit, a knee or an end of the domain. Among equals wins what is least beyond
 /// the limits of others (BeyondLimit), then the nearest to what those want who get nothing (7 m at
-/// most, and 50 m wanted: 7 m), then the summit of the heaviest peak. REQUIRES: !peaks.empty().
-[[nodiscard]] double MaximizeOverInterval(std::span<const WeightedPeak> peaks, double low,
-                                          double high);
+/// most, and 50 m wanted: 7 m), then the summit of the heaviest peak. REQUIRES: neither peaks nor
+/// domain are empty.
+[[nodiscard]] double MaximizeOverInterval(std::span<const WeightedPeak> peaks,
+                                          const Interval& domain);
 
 /// The exact maximiser over the circle of a weighted sum of peaks over angles [rad], in (-pi, pi];
 /// among equals as MaximizeOverInterval. REQUIRES: !peaks.empty().

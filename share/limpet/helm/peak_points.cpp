@@ -49,7 +49,7 @@ class PointSearch {
     Merit merit{.sum = SumAt(x)};
     if (variable_ != MotionVariable::kCourse) {
       for (const auto& [peak, weight] : peaks_) {
-        merit.beyond_limits += weight * BeyondLimit(peak, x, axis_.low);
+        merit.beyond_limits += weight * BeyondLimit(peak, x, {axis_.low, axis_.high});
         merit.dissent += weight * BeyondTop(peak, x);
       }
     }

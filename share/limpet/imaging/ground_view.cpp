@@ -55,7 +55,7 @@ void GroundView::LookAt(const SceneLight& light, SeabedRelief& relief, int colum
   const SceneLight::Ground lit = light.OnGround(p, up);
   const float patch =
       1.0F + 0.22F * patches_.At(static_cast<float>(p.y()), static_cast<float>(p.x()));
-  const auto vignette = static_cast<float>(light.VignetteOf(u, v));
+  const auto vignette = static_cast<float>(light.VignetteOf({u, v}));
   constexpr float kUnpacked = 1.0F / (255.0F * 255.0F);  // texels are square roots in 1/255
   for (int c = 0; c < 3; ++c) {
     corners_.node(kGain + c, column, row) =

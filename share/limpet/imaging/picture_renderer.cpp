@@ -118,7 +118,7 @@ void PictureRenderer::AddFlakes(const SceneLight& light, std::uint32_t frame) {
     const double u = random.Uniform(0.0, settings_.scene.camera.width_px);
     const double v = random.Uniform(0.0, settings_.scene.camera.height_px);
     const double range = 0.25 + 1.75 * std::sqrt(random.Uniform(0.0, 1.0));
-    const Eigen::Vector3d ray_W = light.R_WC() * settings_.scene.camera.RayOf(u, v);
+    const Eigen::Vector3d ray_W = light.R_WC() * settings_.scene.camera.RayOf({u, v});
     const Eigen::Vector3d p_W = light.camera_W() + range * ray_W;
     const Eigen::Array3f glow = light.On(p_W, -ray_W) * light.Along(ray_W, range).direct;
     // A flake of a millimetre out of focus.

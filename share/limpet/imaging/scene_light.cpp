@@ -33,7 +33,7 @@ SceneLight::SceneLight(const Scene& scene, Caustics::Layer caustics, const Pose&
       daylight_(DaylightAt(camera_W_.z())) {}
 
 SceneLight::Path SceneLight::Along(const Eigen::Vector3d& ray_W, double range) const {
-  Eigen::Array3f veil = daylight_ * water_->Veil(range, ray_W.z());
+  Eigen::Array3f veil = daylight_ * water_->Veil(range, ray_W);
   if (lamp_->is_on()) veil += lamp_->Veil(range);
   return {water_->Direct(range), veil};
 }
@@ -68,9 +68,9 @@ SceneLight::Ground SceneLight::OnGround(const Eigen::Vector3d& p_W,
   return {all, sun(1) / std::max(all(1), 1e-9F)};
 }
 
-double SceneLight::VignetteOf(double u, double v) const {
-  const double du = u - camera_.cx;
-  const double dv = v - camera_.cy;
+double SceneLight::VignetteOf(const Eigen::Vector2d& pixel) const {
+  const double du = pixel.x() - camera_.cx;
+  const double dv = pixel.y() - camera_.cy;
   return VignetteAt(params_.lens,
                     (du * du + dv * dv) / (camera_.cx * camera_.cx + camera_.cy * camera_.cy));
 }

@@ -113,7 +113,7 @@ int SolidPainter::Paint(LinearImage& image, std::uint8_t* labels, std::uint8_t l
   int pixels = 0;
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) {
-      const Eigen::Vector3d ray_C = camera_.RayOf(column + 0.5, row + 0.5);
+      const Eigen::Vector3d ray_C = camera_.RayOf({column + 0.5, row + 0.5});
       const Sample sample = Walk(R_SC_ * ray_C, pixel_at_axis * ray_C.z());
       if (sample.coverage <= 0.0) continue;
       const Eigen::Vector3d ray_W = light_->R_WC() * ray_C;
@@ -125,7 +125,7 @@ int SolidPainter::Paint(LinearImage& image, std::uint8_t* labels, std::uint8_t l
       const Eigen::Array3f direct = near_.direct + depth * (far_.direct - near_.direct);
       const Eigen::Array3f veil = near_.veil + depth * (far_.veil - near_.veil);
       const Eigen::Array3f glow =
-          static_cast<float>(light_->VignetteOf(column + 0.5, row + 0.5)) *
+          static_cast<float>(light_->VignetteOf({column + 0.5, row + 0.5})) *
           (AlbedoAt(hit_S, -normal_W.z()) * light_->On(hit_W, normal_W) * direct + veil);
       const auto coverage = static_cast<float>(sample.coverage);
       for (std::size_t c = 0; c < 3; ++c) {

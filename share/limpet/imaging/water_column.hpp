@@ -31,11 +31,11 @@ class WaterColumn {
   [[nodiscard]] Eigen::Array3f Daylight(double depth) const {
     return (-static_cast<float>(depth > 0.0 ? depth : 0.0) * diffuse_).exp().head<3>();
   }
-  /// Daylight that the water before a thing at `range` [m] sends into a lens, along a ray that goes
-  /// down by `down` per metre (-1 to 1), over what a white surface beside the lens would return.
-  [[nodiscard]] Eigen::Array3f Veil(double range, double down) const {
+  /// Daylight that the water before a thing at `range` [m] sends into a lens, along a ray of unit
+  /// length, over what a white surface beside the lens would return.
+  [[nodiscard]] Eigen::Array3f Veil(double range, const Eigen::Vector3d& ray_W) const {
     // A ray that goes up meets more and more daylight; c still ends what the eye sees of it.
-    const Four gathering = (beam_ + static_cast<float>(down) * diffuse_).max(0.25F * beam_);
+    const Four gathering = (beam_ + static_cast<float>(ray_W.z()) * diffuse_).max(0.25F * beam_);
     const Four gathered = 1.0F - (-static_cast<float>(range) * gathering).exp();
     return (backscatter_ * gathered / gathering).head<3>();
   }

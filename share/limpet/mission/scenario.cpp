@@ -245,7 +245,8 @@ std::optional<Eigen::Vector3d> ScenarioOpi::Place(const std::string& session) co
 
 UprightBody ScenarioObstacle::Body(const ScenarioSeabed& seabed) const {
   const double top = SeabedDepth(seabed, {north_m, east_m}) - height_m;
-  if (shape == "column") return UprightBody::Column({north_m, east_m}, radius_m, top);
+  if (shape == "column")
+    return UprightBody::Column({north_m, east_m}, {.radius = radius_m, .top = top});
   return UprightBody::Box({north_m, east_m}, 0.5 * size_m, top);
 }
 

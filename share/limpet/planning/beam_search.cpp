@@ -126,7 +126,7 @@ class Search {
       if (!region_.Allows(from.pose, motion, params_.turn_radius)) {
         continue;
       }
-      Node next{.pose = Advance(from.pose, curvature, motion.length),
+      Node next{.pose = Advance(from.pose, {.curvature = curvature, .length = motion.length}),
                 .parent = index,
                 .curvature = curvature,
                 .opening = depth == 0 ? static_cast<int>(i) : from.opening,

@@ -114,7 +114,7 @@ class Meetings {
 void AddMeetings(const PlacedSegment& piece, const SimplePolygon& polygon, double distance,
                  std::vector<double>& lengths) {
   const double half = 0.5 * piece.segment.length;
-  const Pose2 middle = Advance(piece.from, piece.segment.curvature, half);
+  const Pose2 middle = Advance(piece.from, {.curvature = piece.segment.curvature, .length = half});
   const PlanePoint center(middle.north, middle.east);
   Meetings meetings(piece, lengths);
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -22,7 +22,7 @@ double CurrentToll(const CourseCost& cost, const DubinsPath& path) {
     const PathSegment piece{.curvature = segment.curvature, .length = segment.length / pieces};
     for (int i = 0; i < pieces; ++i) {
       toll += CurrentToll(cost, at, piece);
-      at = Advance(at, piece.curvature, piece.length);
+      at = Advance(at, piece);
     }
   }
   return toll;

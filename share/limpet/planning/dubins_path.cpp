@@ -55,7 +55,7 @@ Pose2 DubinsPath::At(double s) const {
   double left = std::max(0.0, s);
   for (const PathSegment& segment : segments_) {
     const double step = std::min(left, segment.length);
-    pose = Advance(pose, segment.curvature, step);
+    pose = Advance(pose, {.curvature = segment.curvature, .length = step});
     left -= step;
     if (left <= 0.0) {
       break;

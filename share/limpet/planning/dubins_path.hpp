@@ -43,9 +43,9 @@ class DubinsPath {
     double done = 0.0, next = first_s;
     for (const PathSegment& segment : segments_) {
       for (; next < done + segment.length; next += step) {
-        visit(Advance(from, segment.curvature, next - done), next);
+        visit(Advance(from, {.curvature = segment.curvature, .length = next - done}), next);
       }
-      from = Advance(from, segment.curvature, segment.length);
+      from = Advance(from, segment);
       done += segment.length;
     }
     visit(from, done);

@@ -106,7 +106,7 @@ bool FreeSpace::HasClearance(const PlanePoint& at, double least) const {
 
 bool FreeSpace::IsPieceInside(const Pose2& from, const PathSegment& piece) const {
   const double half = 0.5 * piece.length;
-  const Pose2 middle = Advance(from, piece.curvature, half);
+  const Pose2 middle = Advance(from, {.curvature = piece.curvature, .length = half});
   const PlanePoint at(middle.north, middle.east);
   if (HasClearance(at, half)) return true;
   if (BoundsAt(at).high < -kTouch) return false;
@@ -119,7 +119,7 @@ bool FreeSpace::IsPieceInside(const Pose2& from, const PathSegment& piece) const
 
 bool FreeSpace::IsInsideBetweenMeetings(const Pose2& from, const PathSegment& piece) const {
   const double half = 0.5 * piece.length;
-  const Pose2 middle = Advance(from, piece.curvature, half);
+  const Pose2 middle = Advance(from, {.curvature = piece.curvature, .length = half});
   // Between two meetings with a border it is on one side of all of them.
   std::vector<double> cuts{0.0, piece.length};
   for (const Fence& fence : fences_) {
@@ -130,14 +130,15 @@ bool FreeSpace::IsInsideBetweenMeetings(const Pose2& from, const PathSegment& pi
   }
   std::ranges::sort(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const Pose2 between = Advance(from, piece.curvature, 0.5 * (cuts[i] + cuts[i + 1]));
+    const Pose2 between =
+        Advance(from, {.curvature = piece.curvature, .length = 0.5 * (cuts[i] + cuts[i + 1])});
     if (cuts[i + 1] - cuts[i] > kTouch && !Contains({between.north, between.east})) return false;
   }
   return true;
 }
 
 bool FreeSpace::Contains(const Pose2& from, const PathSegment& segment) const {
-  const Pose2 end = Advance(from, segment.curvature, segment.length);
+  const Pose2 end = Advance(from, segment);
   return Contains({from.north, from.east}) && Contains({end.north, end.east}) &&
          IsPieceInside(from, segment);
 }

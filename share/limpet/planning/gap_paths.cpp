@@ -42,7 +42,8 @@ Stop PassesOver(const Patch& patch, const Footprint& footprint, const Region& re
     const Pose2 centre{patch.north, patch.east, patch.axis_yaw + off_axis};
     // At the border a shorter pass may be flyable where the whole one is not.
     for (const double share : {1.0, 0.5, 0.0}) {
-      const Pass pass{.in = Advance(centre, 0.0, -0.5 * share * run), .length = share * run};
+      const Pass pass{.in = Advance(centre, {.curvature = 0.0, .length = -0.5 * share * run}),
+                      .length = share * run};
       if (IsPassFlyable(pass, region, turn_radius)) {
         stop.push_back(pass);
         break;

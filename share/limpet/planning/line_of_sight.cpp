@@ -26,7 +26,7 @@ void LineOfSight::SetPath(const Pose2& start, const std::vector<PathSegment>& se
   for (const PathSegment& segment : segments) {
     if (segment.length <= 0.0) continue;
     pieces_.push_back({end, segment.curvature, segment.length, length_});
-    end = Advance(end, segment.curvature, segment.length);
+    end = Advance(end, segment);
     length_ += segment.length;
   }
   pieces_.push_back({end, 0.0, kRunOut, length_});
@@ -58,7 +58,7 @@ double LineOfSight::NearestAhead(const Eigen::Vector2d& place_W) const {
                            std::min(piece.length, limit - piece.begin)};
     if (stretch.is_empty()) continue;
     const double along = Nearest(piece, place_W, stretch);
-    const Pose2 at = Advance(piece.start, piece.curvature, along);
+    const Pose2 at = Advance(piece.start, {.curvature = piece.curvature, .length = along});
     const double distance = std::hypot(place_W.x() - at.north, place_W.y() - at.east);
     if (distance < best_distance) {
       best = piece.begin + along;
@@ -72,20 +72,20 @@ Pose2 LineOfSight::At(double progress) const {
   LIMPET_REQUIRE(has_path(), "SetPath comes first");
   const auto after = std::ranges::upper_bound(pieces_, progress, {}, &Piece::begin);
   const Piece& piece = after == pieces_.begin() ? *after : *std::prev(after);
-  return Advance(piece.start, piece.curvature, progress - piece.begin);
+  return Advance(piece.start, {.curvature = piece.curvature, .length = progress - piece.begin});
 }
 
 /// The path's own turn, averaged over the time in which the vehicle can answer it (a Dubins path's
 /// curvature jumps, a vehicle's turn rate does not), and the turn back to the path.
-double LineOfSight::TurnRate(double cross_track, double speed) const {
-  const double window = std::max(0.05, 2.0 * params_.preview.value() * speed);
+double LineOfSight::TurnRate(double cross_track, MetersPerSecond speed) const {
+  const double window = std::max(0.05, 2.0 * params_.preview.value() * speed.value());
   const double curvature = (At(progress_ + window).yaw - At(progress_).yaw) / window;
   // On the outside of an arc there is more way to go for the same turn.
   const double stretch = std::clamp(1.0 - curvature * cross_track, 0.5, 2.0);
   const double lookahead = params_.lookahead.value();
   const double reach = std::hypot(lookahead, cross_track);
-  const double closing = speed * cross_track * lookahead / (reach * reach * reach);
-  return curvature * speed / stretch + closing;
+  const double closing = speed.value() * cross_track * lookahead / (reach * reach * reach);
+  return curvature * speed.value() / stretch + closing;
 }
 
 LineOfSight::Steering LineOfSight::Update(const Eigen::Vector2d& place_W, double speed) {
@@ -102,7 +102,7 @@ LineOfSight::Steering LineOfSight::Update(const Eigen::Vector2d& place_W, double
           .cross_track = cross_track,
           .path_course = WrapAngle(at.yaw),
           .course = WrapAngle(at.yaw + intercept),
-          .turn_rate = TurnRate(cross_track, speed),
+          .turn_rate = TurnRate(cross_track, MetersPerSecond(speed)),
           .has_arrived = progress_ >= length_};
 }
 

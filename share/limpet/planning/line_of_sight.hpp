@@ -65,7 +65,7 @@ class LineOfSight {
   [[nodiscard]] static double Nearest(const Piece& piece, const Eigen::Vector2d& place_W,
                                       const Interval& stretch);
   [[nodiscard]] double NearestAhead(const Eigen::Vector2d& place_W) const;
-  [[nodiscard]] double TurnRate(double cross_track, double speed) const;
+  [[nodiscard]] double TurnRate(double cross_track, MetersPerSecond speed) const;
 
   Params params_;
   std::vector<Piece> pieces_;  // the last one is the straight run-out

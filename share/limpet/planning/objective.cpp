@@ -35,11 +35,11 @@ bool Target::IsSeenFrom(const Pose2& pose) const {
   }
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
-  return window.Contains(dn * c + de * s, -dn * s + de * c);
+  return window.Contains({dn * c + de * s, -dn * s + de * c});
 }
 
-double Target::WorthAt(double s, double decay_m) const {
-  return value * std::max(0.0, 1.0 - s / decay_m);
+double Target::WorthAt(double s, Meters decay) const {
+  return value * std::max(0.0, 1.0 - s / decay.value());
 }
 
 std::optional<double> FirstLook(const DubinsPath& path, const Target& target) {
@@ -56,7 +56,7 @@ double TargetValueOf(const DubinsPath& path, const Objective& objective) {
   double value = 0.0;
   for (const Target& target : objective.targets) {
     if (const std::optional<double> first = FirstLook(path, target)) {
-      value += target.WorthAt(*first, objective.target_decay_m);
+      value += target.WorthAt(*first, Meters(objective.target_decay_m));
     }
   }
   return value;

@@ -19,8 +19,8 @@ struct Target {
   double value = 0.0;              ///< for seeing it now [m of path]
   /// Whether the vehicle at `pose` and survey altitude looks at it.
   [[nodiscard]] bool IsSeenFrom(const Pose2& pose) const;
-  /// Worth of the first look at it, `s` metres from now: falls to nothing at `decay_m` [m of path].
-  [[nodiscard]] double WorthAt(double s, double decay_m) const;
+  /// Worth of the first look at it, `s` metres from now: falls to nothing at `decay`.
+  [[nodiscard]] double WorthAt(double s, Meters decay) const;
 };
 
 /// What newly seen ground is worth, in metres of path.

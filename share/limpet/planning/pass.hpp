@@ -18,7 +18,7 @@ inline constexpr double kPassCut = 0.25;
 struct Pass {
   Pose2 in;
   double length = 0.0;  ///< [m]
-  [[nodiscard]] Pose2 out() const { return Advance(in, 0.0, length); }
+  [[nodiscard]] Pose2 out() const { return Advance(in, {.curvature = 0.0, .length = length}); }
   /// The pass over this ground that is flown the other way.
   [[nodiscard]] Pass Reversed() const;
   [[nodiscard]] bool operator==(const Pass& other) const;

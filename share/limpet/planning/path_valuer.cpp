@@ -43,7 +43,7 @@ class TargetTerm final : public SearchTerm {
     step.Sample([&](const Pose2& pose, double s) {
       if (!events.Has(i) && targets_[i].IsSeenFrom(pose)) {
         events.Add(i);
-        worth = targets_[i].WorthAt(s, decay_m_);
+        worth = targets_[i].WorthAt(s, Meters(decay_m_));
       }
     });
     return worth;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "limpet/topics/mission.hpp"
+
 namespace limpet {
 
 /// A pose in the horizontal plane: NED [m], yaw clockwise from north [rad].
@@ -12,9 +14,9 @@ struct Pose2 {
   double yaw = 0.0;
 };
 
-/// Where `from` gets to after `length` [m] along a curve of constant `curvature` [1/m, positive to
-/// starboard]. Exact; the yaw is not wrapped.
-[[nodiscard]] inline Pose2 Advance(const Pose2& from, double curvature, double length) {
+/// Where `from` gets to along a segment. Exact; the yaw is not wrapped.
+[[nodiscard]] inline Pose2 Advance(const Pose2& from, const PathSegment& segment) {
+  const auto [curvature, length] = segment;
   const double half_turn = 0.5 * curvature * length;
   // sin(x)/x keeps a straight line and a shallow arc on one smooth formula.
   const double chord = std::abs(half_turn) < 1e-6 ? length * (1.0 - half_turn * half_turn / 6.0)

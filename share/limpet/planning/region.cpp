@@ -89,7 +89,7 @@ bool Region::Contains(const Pose2& from, const PathSegment& segment) const {
 }
 
 bool Region::IsInRectangle(const Pose2& from, const PathSegment& segment) const {
-  if (!Contains(from) || !Contains(Advance(from, segment.curvature, segment.length))) {
+  if (!Contains(from) || !Contains(Advance(from, segment))) {
     return false;
   }
   // An arc can leave and come back only over its northern-, eastern-, ... most point: where its
@@ -121,7 +121,7 @@ bool Region::Contains(const DubinsPath& path) const {
     if (!Contains(pose, segment)) {
       return false;
     }
-    pose = Advance(pose, segment.curvature, segment.length);
+    pose = Advance(pose, segment);
   }
   return true;
 }
@@ -150,7 +150,7 @@ bool Region::IsRecoverable(const Pose2& pose, Meters radius) const {
 }
 
 bool Region::Allows(const Pose2& from, const PathSegment& segment, Meters radius) const {
-  const Pose2 end = Advance(from, segment.curvature, segment.length);
+  const Pose2 end = Advance(from, segment);
   if (IsRecoverable(from, radius) && Contains(from)) {
     return IsRecoverable(end, radius) && Contains(from, segment);
   }
@@ -183,7 +183,7 @@ bool Region::EntersZone(const DubinsPath& path) const {
   Pose2 pose = path.start();
   for (const PathSegment& segment : path.segments()) {
     if (!zones_->Contains(pose, segment)) return true;
-    pose = Advance(pose, segment.curvature, segment.length);
+    pose = Advance(pose, segment);
   }
   return false;
 }
@@ -195,7 +195,7 @@ bool Region::Contains(const Pose2& from, const DubinsWord& word) const {
   Pose2 pose = from;
   for (const PathSegment& segment : word.segments) {
     if (segment.length > 0.0 && !Contains(pose, segment)) return false;
-    pose = Advance(pose, segment.curvature, segment.length);
+    pose = Advance(pose, segment);
   }
   return true;
 }

@@ -11,7 +11,7 @@ double WorthAlong(const DubinsPath& path, const SearchTerm& term) {
   for (const PathSegment& segment : path.segments()) {
     step.motion = segment;
     worth += term.Worth(step, events);
-    step.from = Advance(step.from, segment.curvature, segment.length);
+    step.from = Advance(step.from, segment);
     step.before += segment.length;
   }
   return worth;

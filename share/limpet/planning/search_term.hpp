@@ -24,9 +24,9 @@ struct PathStep {
   template <class Visit>
   void Sample(Visit visit) const {
     for (double s = SeenWorkspace::kStep; s < motion.length - 1e-9; s += SeenWorkspace::kStep) {
-      visit(Advance(from, motion.curvature, s), before + s);
+      visit(Advance(from, {.curvature = motion.curvature, .length = s}), before + s);
     }
-    visit(Advance(from, motion.curvature, motion.length), before + motion.length);
+    visit(Advance(from, motion), before + motion.length);
   }
 };
 

@@ -97,9 +97,9 @@ void SeenWorkspace::Reset(const Ground& ground) {
 NewlySeen SeenWorkspace::Sweep(const Pose2& from, const PathSegment& segment) {
   NewlySeen gain;
   for (double s = kStep; s < segment.length - 1e-9; s += kStep) {
-    gain += Look(Advance(from, segment.curvature, s));
+    gain += Look(Advance(from, {.curvature = segment.curvature, .length = s}));
   }
-  gain += Look(Advance(from, segment.curvature, segment.length));
+  gain += Look(Advance(from, segment));
   return gain;
 }
 

@@ -91,7 +91,7 @@ class SeenAlong {
     double before = 0.0;
     for (const PathSegment& segment : path.segments()) {
       visit(from, segment, before, workspace_.Sweep(from, segment));
-      from = Advance(from, segment.curvature, segment.length);
+      from = Advance(from, segment);
       before += segment.length;
     }
     workspace_.Rewind(0);

@@ -59,7 +59,7 @@ void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
   base_.is_finished = planes_.unseen()[SeenPlanes::kTop] <= may_stay_;
   for (const PathSegment& segment : way.segments()) {
     if (!base_.is_finished) base_.is_finished = Fly(base_.end, segment, base_.cost);
-    base_.end = Advance(base_.end, segment.curvature, segment.length);
+    base_.end = Advance(base_.end, segment);
   }
   base_.seen_mark = planes_.Mark();
   base_.others_mark = others_ ? others_->Mark() : 0;
@@ -107,7 +107,7 @@ void TourJudge::FlyPass(const Pass& pass, Stage& stage) {
   for (const PathSegment& segment : link.word.segments) {
     if (segment.length <= 0.0 || stage.is_finished) continue;
     stage.is_finished = Fly(stage.end, segment, stage.cost);
-    stage.end = Advance(stage.end, segment.curvature, segment.length);
+    stage.end = Advance(stage.end, segment);
   }
   if (stage.is_finished) return;
   stage.end = pass.in;
@@ -120,7 +120,9 @@ bool TourJudge::Fly(const Pose2& from, const PathSegment& segment, TourCost& cos
   const int pieces = std::max(1, static_cast<int>(std::ceil(segment.length / longest)));
   const PathSegment piece{.curvature = segment.curvature, .length = segment.length / pieces};
   for (int i = 0; i < pieces; ++i) {
-    if (FlyPiece(Advance(from, segment.curvature, piece.length * i), piece, cost)) return true;
+    if (FlyPiece(Advance(from, {.curvature = segment.curvature, .length = piece.length * i}), piece,
+                 cost))
+      return true;
   }
   return false;
 }

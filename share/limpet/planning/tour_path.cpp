@@ -35,7 +35,7 @@ FlownTour PassesAlong(const DubinsPath& way) {
   double begin = 0.0;
   const std::vector<PathSegment>& segments = way.segments();
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Pose2 end = Advance(at, segments[i].curvature, segments[i].length);
+    const Pose2 end = Advance(at, segments[i]);
     const double done = begin + segments[i].length;
     const bool is_straight = segments[i].curvature == 0.0;
     const bool leads_to_straight = i + 1 < segments.size() && segments[i + 1].curvature == 0.0;
@@ -89,7 +89,8 @@ SurveyTour FittedInside(const SurveyTour& tour, const Region& region, Meters tur
   SurveyTour fitted;
   for (Pass pass : tour) {
     while (pass.length > kPassCut && !HasRoom(pass.Reversed().out(), region, turn_radius)) {
-      pass = {.in = Advance(pass.in, 0.0, kPassCut), .length = pass.length - kPassCut};
+      pass = {.in = Advance(pass.in, {.curvature = 0.0, .length = kPassCut}),
+              .length = pass.length - kPassCut};
     }
     while (pass.length > kPassCut && !HasRoom(pass.out(), region, turn_radius))
       pass.length -= kPassCut;
@@ -104,7 +105,8 @@ SurveyTour RestAfter(const FlownTour& tour, double flown) {
     if (tour.spans[i].high <= flown) continue;
     const double done = std::max(0.0, flown - tour.spans[i].low);
     const Pass& pass = tour.passes[i];
-    rest.push_back({.in = Advance(pass.in, 0.0, done), .length = pass.length - done});
+    rest.push_back(
+        {.in = Advance(pass.in, {.curvature = 0.0, .length = done}), .length = pass.length - done});
   }
   return rest;
 }

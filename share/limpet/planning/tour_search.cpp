@@ -22,13 +22,14 @@ constexpr double kCoolest = 0.03;      ///< share of the warmth that is left at 
 Pass Stretched(const Pass& pass, double by, double end_by) {
   const double length = pass.length - by + end_by;
   if (length < 0.0) return pass;
-  return {.in = Advance(pass.in, 0.0, by), .length = length};
+  return {.in = Advance(pass.in, {.curvature = 0.0, .length = by}), .length = length};
 }
 
 Pass TurnedBy(const Pass& pass, double angle) {
-  Pose2 middle = Advance(pass.in, 0.0, 0.5 * pass.length);
+  Pose2 middle = Advance(pass.in, {.curvature = 0.0, .length = 0.5 * pass.length});
   middle.yaw += angle;
-  return {.in = Advance(middle, 0.0, -0.5 * pass.length), .length = pass.length};
+  return {.in = Advance(middle, {.curvature = 0.0, .length = -0.5 * pass.length}),
+          .length = pass.length};
 }
 
 /// No pass leaves the region, and from the last one the vehicle can go on.
@@ -155,7 +156,8 @@ void TourSearch::AddOne(const TourJudge& judge, SurveyTour& tour) {
   const Pose2 at{cell.x() - aside * std::sin(yaw), cell.y() + aside * std::cos(yaw), yaw};
   const double length = random_.Uniform(0.0, kNewPass);
   const auto to = static_cast<std::ptrdiff_t>(random_.Index(tour.size() + 1));
-  tour.insert(tour.begin() + to, {.in = Advance(at, 0.0, -0.5 * length), .length = length});
+  tour.insert(tour.begin() + to,
+              {.in = Advance(at, {.curvature = 0.0, .length = -0.5 * length}), .length = length});
 }
 
 /// Straight on from the pass before it, or on any course.

@@ -141,7 +141,7 @@ class Tree {
                                    .seen = workspace_.Sweep(from, segment)}) -
                     segment.length;
       view.length += segment.length;
-      from = Advance(from, segment.curvature, segment.length);
+      from = Advance(from, segment);
     }
     const auto changed = workspace_.changes().subspan(changes);
     view.changes.assign(changed.begin(), changed.end());

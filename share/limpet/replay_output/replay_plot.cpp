@@ -96,7 +96,7 @@ std::string NavErrorPlot(const ReplayResult& result, const std::string& name) {
   const Differences reckoned = DifferencesOf(result.reckoned, result);
   constexpr double kPanel = 128.0, kGap = 20.0, kTop = 92.0;
   constexpr const char* kAxes[] = {"north [m]", "east [m]", "down [m]"};
-  SvgCanvas canvas(chart::kLeft + chart::kWidth + 24.0, kTop + 3.0 * (kPanel + kGap) + 40.0,
+  SvgCanvas canvas({chart::kLeft + chart::kWidth + 24.0, kTop + 3.0 * (kPanel + kGap) + 40.0},
                    "Online estimate");
   canvas.Text({chart::kLeft, 24.0}, "Estimate as known at the time, less what is known at the end",
               {.size = 16.0, .is_bold = true});

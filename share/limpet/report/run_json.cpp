@@ -145,8 +145,9 @@ ReportSettings SettingsFrom(const OrderedJson& in) {
   settings.gain = in.at("gain");
   settings.camera = in.at("camera");
   CameraModel& camera = settings.camera_geometry;
-  camera = CameraModel::FromFieldOfView(in.at("width_px"), in.at("height_px"),
-                                        in.at("fov_across_rad"), in.at("fov_along_rad"));
+  camera = CameraModel::FromFieldOfView(
+      in.at("width_px"), in.at("height_px"),
+      {.across = in.at("fov_across_rad"), .along = in.at("fov_along_rad")});
   const OrderedJson& lever = in.at("lever_arm_m");
   camera.p_BC = PointFrom(lever);
   const double tilt = in.value("tilt_rad", 0.0);  // none in a run of an older version

@@ -34,7 +34,8 @@ void SafetyLadder::UpdateRow(std::size_t index, std::optional<double> measure, S
   }
   const bool is_known = measure && std::isfinite(*measure) && !settings_.is_off[index];
   row.margin =
-      is_known ? std::optional(rule.Margin(*measure, settings_.limits[index])) : std::nullopt;
+      is_known ? std::optional(rule.Margin({.value = *measure, .limit = settings_.limits[index]}))
+               : std::nullopt;
   if (!is_known) {
     row.inside_since.reset();  // what is not known is not over
     return;

@@ -99,9 +99,12 @@ struct SafetyRule {
   [[nodiscard]] SafetyAction ActionIn(SafetyPhase phase) const {
     return actions[static_cast<std::size_t>(phase)];
   }
-  /// How far `measure` is inside the limit `at`: below 0 beyond it.
-  [[nodiscard]] double Margin(double measure, double at) const {
-    return side == Side::kAbove ? at - measure : measure - at;
+  struct Measured {
+    double value = 0.0, limit = 0.0;
+  };
+  /// How far a value is inside the limit: below 0 beyond it.
+  [[nodiscard]] double Margin(const Measured& is) const {
+    return side == Side::kAbove ? is.limit - is.value : is.value - is.limit;
   }
 };
 

@@ -11,10 +11,13 @@ namespace limpet {
 /// a column or a box whose sides run north and east.
 class UprightBody {
  public:
+  /// A column's radius and the NED depth of its top [m].
+  struct Round {
+    double radius = 0.5, top = 0.0;
+  };
   /// `top` is the NED depth of its top [m]; downwards it has no end.
-  [[nodiscard]] static UprightBody Column(const Eigen::Vector2d& center_W, double radius,
-                                          double top) {
-    return {center_W, Eigen::Vector2d::Constant(radius), top, true};
+  [[nodiscard]] static UprightBody Column(const Eigen::Vector2d& center_W, const Round& column) {
+    return {center_W, Eigen::Vector2d::Constant(column.radius), column.top, true};
   }
   [[nodiscard]] static UprightBody Box(const Eigen::Vector2d& center_W,
                                        const Eigen::Vector2d& half_size, double top) {

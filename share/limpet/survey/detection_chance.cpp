@@ -35,16 +35,17 @@ Eigen::Vector2d DiscPoint(int i) {
 
 }  // namespace
 
-double DetectionChance(const DetectionModel& detector, double range, double share) {
-  return detector.best * Contrast(detector, range, detector.visibility.value()) *
-         InsideFactor(detector, share);
+double DetectionChance(const DetectionModel& detector, const Showing& object) {
+  return detector.best * Contrast(detector, object.range, detector.visibility.value()) *
+         InsideFactor(detector, object.share);
 }
 
-PerVisibility DetectionChances(const DetectionModel& detector, double range, double share,
+PerVisibility DetectionChances(const DetectionModel& detector, const Showing& object,
                                const PerVisibility& visibilities) {
-  const double inside = InsideFactor(detector, share);
-  return visibilities.unaryExpr(
-      [&](double reach) { return detector.best * Contrast(detector, range, reach) * inside; });
+  const double inside = InsideFactor(detector, object.share);
+  return visibilities.unaryExpr([&](double reach) {
+    return detector.best * Contrast(detector, object.range, reach) * inside;
+  });
 }
 
 double SizeFactor(const DetectionModel& detector, double size_px) {

@@ -12,12 +12,16 @@
 
 namespace limpet {
 
-/// Chance of a box in one frame for an object `range` metres away of which `share` is inside the
-/// image.
-[[nodiscard]] double DetectionChance(const DetectionModel& detector, double range, double share);
+/// How one frame shows an object.
+struct Showing {
+  double range = 0.0;  ///< from the camera [m]
+  double share = 1.0;  ///< of it inside the image
+};
+/// Chance of a box.
+[[nodiscard]] double DetectionChance(const DetectionModel& detector, const Showing& object);
 /// The chance in water of each of several visibilities [m], instead of the detector's.
-[[nodiscard]] PerVisibility DetectionChances(const DetectionModel& detector, double range,
-                                             double share, const PerVisibility& visibilities);
+[[nodiscard]] PerVisibility DetectionChances(const DetectionModel& detector, const Showing& object,
+                                             const PerVisibility& visibilities);
 /// Factor on that for an object whose image has this diameter.
 [[nodiscard]] double SizeFactor(const DetectionModel& detector, double size_px);
 /// The range at which half the chance that there is close by is left [m].

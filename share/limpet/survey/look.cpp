@@ -22,7 +22,7 @@ double ChanceToDetect(const LookModel& model, const Pose& X_WB, const Eigen::Vec
   const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
   if (share <= 0.0) return 0.0;
   const double range = (p_W - X_WB.p_WB).norm();
-  return DetectionChance(model.detection, range, share) *
+  return DetectionChance(model.detection, {.range = range, .share = share}) *
          SizeFactor(model.detection, SizeInImage(model, range));
 }
 
@@ -31,7 +31,7 @@ PerVisibility ChancesToDetect(const LookModel& model, const Pose& X_WB, const Ei
   const double share = VisibleShare(model.camera, X_WB, p_W, model.object_radius);
   if (share <= 0.0) return {0.0};
   const double range = (p_W - X_WB.p_WB).norm();
-  return DetectionChances(model.detection, range, share, visibilities) *
+  return DetectionChances(model.detection, {.range = range, .share = share}, visibilities) *
          SizeFactor(model.detection, SizeInImage(model, range));
 }
 
@@ -76,8 +76,8 @@ MapLook ToMapLook(const LookModel& model) {
 }
 
 LookModel ToLookModel(const MapLook& look) {
-  return {.camera = CameraModel::FromFieldOfView(look.width_px, look.height_px, look.fov_across,
-                                                 look.fov_along),
+  return {.camera = CameraModel::FromFieldOfView(
+              look.width_px, look.height_px, {.across = look.fov_across, .along = look.fov_along}),
           .detection = look.detection,
           .object_radius = look.object_radius};
 }

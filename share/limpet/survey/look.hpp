@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "limpet/core/camera_model.hpp"
 #include "limpet/survey/detection_chance.hpp"
 #include "limpet/topics/mapping.hpp"
@@ -36,8 +38,8 @@ inline constexpr double kLookChance = 0.5;
 struct LookWindow {
   double half_along = 0.0;
   double half_across = 0.0;
-  [[nodiscard]] bool Contains(double ahead, double starboard) const {
-    return std::abs(ahead) <= half_along && std::abs(starboard) <= half_across;
+  [[nodiscard]] bool Contains(const Eigen::Vector2d& offset_H) const {
+    return std::abs(offset_H.x()) <= half_along && std::abs(offset_H.y()) <= half_across;
   }
 };
 /// A place as a look at it is planned.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limpet/core/interval.hpp"
 #include "limpet/figures/palette.hpp"
 #include "limpet/figures/plot_axes.hpp"
 #include "limpet/figures/svg_canvas.hpp"
@@ -47,13 +48,13 @@ std::string_view ColorOf(const Shown& shown) {
   return shown.contender->is_in() ? palette::kBlue : palette::kMuted;
 }
 
-PlotAxes::Range Widened(double low, double high) {
+Interval Widened(double low, double high) {
   const double margin = high > low ? 0.06 * (high - low) : std::max(1.0, 0.05 * std::abs(low));
   return {low - margin, high + margin};
 }
 
 /// The range that shows all means, and the intervals as far as they do not squeeze the rest.
-PlotAxes::Range ObjectiveRange(const std::vector<Shown>& shown) {
+Interval ObjectiveRange(const std::vector<Shown>& shown) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Shown& each : shown) {
     low = std::min(low, each.objective.mean);
@@ -69,8 +70,8 @@ PlotAxes::Range ObjectiveRange(const std::vector<Shown>& shown) {
 }
 
 /// The values of one parameter that were flown, the default's also where it lies outside.
-PlotAxes::Range ValueRange(const VariedParameter& parameter, std::size_t index,
-                           const std::vector<Shown>& shown) {
+Interval ValueRange(const VariedParameter& parameter, std::size_t index,
+                    const std::vector<Shown>& shown) {
   double low = parameter.low, high = parameter.high;
   for (const Shown& each : shown) {
     low = std::min(low, each.contender->setting[index]);
@@ -89,7 +90,7 @@ struct Panel {
 void DrawResponse(SvgCanvas& canvas, const ParameterSpace& space, const std::vector<Shown>& shown,
                   const Panel& panel) {
   const VariedParameter& parameter = space.parameters()[panel.parameter];
-  const PlotAxes::Range y = ObjectiveRange(shown);
+  const Interval y = ObjectiveRange(shown);
   const PlotAxes axes(canvas, {.corner = panel.corner,
                                .size = panel.size,
                                .x = ValueRange(parameter, panel.parameter, shown),
@@ -102,11 +103,11 @@ void DrawResponse(SvgCanvas& canvas, const ParameterSpace& space, const std::vec
     const bool is_marked = each.is_winner || each.contender->is_default;
     const double opacity = is_marked ? 1.0 : each.contender->is_in() ? 0.75 : 0.4;
     if (each.objective.low) {
-      canvas.Line(axes.At(x, *each.objective.low), axes.At(x, *each.objective.high),
+      canvas.Line(axes.At({x, *each.objective.low}), axes.At({x, *each.objective.high}),
                   {.stroke = ColorOf(each), .width = is_marked ? 2.2 : 1.2, .opacity = opacity});
     }
     canvas.Circle(
-        axes.At(x, each.objective.mean), is_marked ? 5.0 : 3.2,
+        axes.At({x, each.objective.mean}), is_marked ? 5.0 : 3.2,
         {.fill = ColorOf(each), .stroke = palette::kPaper, .width = 1.0, .opacity = opacity});
   }
   canvas.EndClip();
@@ -116,7 +117,7 @@ void DrawResponse(SvgCanvas& canvas, const ParameterSpace& space, const std::vec
 struct Coordinate {
   std::string name;
   double x_px = 0.0;
-  PlotAxes::Range range;
+  Interval range;
   [[nodiscard]] double Share(double value) const {
     return (value - range.low) / (range.high - range.low);
   }
@@ -126,7 +127,7 @@ void DrawCoordinate(SvgCanvas& canvas, const Coordinate& coordinate, double top)
   const double x = coordinate.x_px, bottom = top + kCoordinatesHeight;
   canvas.Line({x, top}, {x, bottom}, {.stroke = palette::kMuted, .width = 1.2});
   canvas.Text({x, top - 12.0}, coordinate.name, {.anchor = Anchor::kMiddle, .is_bold = true});
-  for (const double tick : TickMarks(coordinate.range.low, coordinate.range.high, 5)) {
+  for (const double tick : TickMarks(coordinate.range, 5)) {
     const double y = bottom - coordinate.Share(tick) * kCoordinatesHeight;
     canvas.Line({x - 4.0, y}, {x + 4.0, y}, {.stroke = palette::kMuted, .width = 1.0});
     canvas.Text({x - 8.0, y + 4.0}, TickText(tick),
@@ -194,8 +195,8 @@ std::string TuneFigure(const TuningTask& task, const ParameterSpace& space,
   const double coordinates_top =
       kFigureTop + static_cast<double>(rows) * (kPanelHeight + kPanelGap) + 26.0;
   SvgCanvas canvas(
-      kFigureLeft + kFigureWidth + 24.0,
-      has_coordinates ? coordinates_top + kCoordinatesHeight + 30.0 : coordinates_top - 26.0,
+      {kFigureLeft + kFigureWidth + 24.0,
+       has_coordinates ? coordinates_top + kCoordinatesHeight + 30.0 : coordinates_top - 26.0},
       "Tuning");
   canvas.Text({kFigureLeft, 24.0},
               fmt::format("{} {}", task.maximises ? "Greatest" : "Least", task.objective),

@@ -47,7 +47,8 @@ double MeanDiameter(const Vector3d& half) { return 2.0 * std::sqrt(half.y() * ha
 
 Vector6 AddedMass(const VehicleParams& params, const Vector3d& half, const Vector3d& inertia,
                   double displaced_mass) {
-  const SpheroidAddedMass k = LambFactors(2.0 * half.x(), MeanDiameter(half));
+  const SpheroidAddedMass k =
+      LambFactors({.length = 2.0 * half.x(), .diameter = MeanDiameter(half)});
   const Vector3d solid = displaced_mass * EllipsoidInertia(half);
   Vector6 added;
   added << displaced_mass * k.axial, displaced_mass * k.transverse, displaced_mass * k.transverse,
@@ -76,7 +77,8 @@ Vector6 QuadraticDrag(const VehicleParams& params, const Vector3d& half) {
 
 }  // namespace
 
-SpheroidAddedMass LambFactors(double length, double diameter) {
+SpheroidAddedMass LambFactors(const Spheroid& body) {
+  const auto [length, diameter] = body;
   LIMPET_REQUIRE(0.0 < diameter && diameter < length, "a prolate spheroid is longer than thick");
   const double slender = diameter * diameter / (length * length);
   const double e2 = 1.0 - slender;
@@ -109,8 +111,8 @@ Hydrodynamics DeriveHydrodynamics(const VehicleParams& params) {
 
 double MeanThickness(const VehicleParams& params) { return MeanDiameter(HalfAxes(params)); }
 
-double SubmergedShare(double depth, double half_height) {
-  const double z = std::clamp(depth / half_height, -1.0, 1.0);
+double SubmergedShare(const Immersion& ellipsoid) {
+  const double z = std::clamp(ellipsoid.depth / ellipsoid.half_height, -1.0, 1.0);
   return 0.25 * (2.0 + z * (3.0 - z * z));
 }
 
@@ -120,7 +122,8 @@ double FloatingDepth(const Hydrodynamics& hydro) {
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     const bool sinks =
-        hydro.buoyancy_n * SubmergedShare(middle, hydro.half_height_m) < hydro.weight_n;
+        hydro.buoyancy_n * SubmergedShare({.depth = middle, .half_height = hydro.half_height_m}) <
+        hydro.weight_n;
     (sinks ? low : high) = middle;
   }
   return 0.5 * (low + high);

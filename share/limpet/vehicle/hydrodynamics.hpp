@@ -35,13 +35,21 @@ struct SpheroidAddedMass {
   double transverse = 0.0;  ///< k2
   double rotation = 0.0;    ///< k': about a short axis
 };
+struct Spheroid {
+  double length = 1.0, diameter = 0.5;  ///< [m]
+};
 /// REQUIRES: 0 < diameter < length.
-[[nodiscard]] SpheroidAddedMass LambFactors(double length, double diameter);
+[[nodiscard]] SpheroidAddedMass LambFactors(const Spheroid& body);
 
-/// Share of the displaced ellipsoid's volume that is under water when its centre is `depth` [m]
-/// below the surface: the cap of an ellipsoid, (2 + 3 z - z^3) / 4 with z = depth / half_height in
+/// Where the displaced ellipsoid is in the water.
+struct Immersion {
+  double depth = 0.0;        ///< of its centre [m]
+  double half_height = 1.0;  ///< of itself [m]
+};
+/// Share of its volume that is under water: the cap of an ellipsoid, (2 + 3 z - z^3) / 4 with z =
+/// depth / half_height in
 /// [-1, 1]. Once continuously differentiable.
-[[nodiscard]] double SubmergedShare(double depth, double half_height);
+[[nodiscard]] double SubmergedShare(const Immersion& ellipsoid);
 
 /// Depth of the origin at which the vehicle floats level and at rest.
 [[nodiscard]] double FloatingDepth(const Hydrodynamics& hydro);

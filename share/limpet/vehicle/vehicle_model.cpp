@@ -68,8 +68,8 @@ StateVector VehicleModel::Derivative(const StateVector& x, const ThrusterVector&
       wrench_per_thrust_ * x.segment<kMostThrusters>(kThrust) - Coriolis(hydro_.mass_matrix, nu);
   force.array() -=
       (hydro_.linear_drag.array() + hydro_.quadratic_drag.array() * nu.array().abs()) * nu.array();
-  const double buoyancy =
-      hydro_.buoyancy_n * SubmergedShare(x(kPosition + 2), hydro_.half_height_m);
+  const double buoyancy = hydro_.buoyancy_n * SubmergedShare({.depth = x(kPosition + 2),
+                                                              .half_height = hydro_.half_height_m});
   force.head<3>() += (hydro_.weight_n - buoyancy) * down_B;
   force.tail<3>() += Vector3d(0.0, 0.0, params_.cg_below_cb_m).cross(hydro_.weight_n * down_B);
   if (with_seabed) {

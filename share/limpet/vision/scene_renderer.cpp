@@ -85,10 +85,10 @@ SceneRenderer::SceneRenderer(const SceneSettings& settings)
   LIMPET_REQUIRE(settings.seabed_depth != nullptr, "a scene needs a seabed");
 }
 
-float SceneRenderer::Vignette(double u, double v) const {
+float SceneRenderer::Vignette(const Eigen::Vector2d& pixel) const {
   const CameraModel& camera = settings_.camera;
-  const double du = u - camera.cx;
-  const double dv = v - camera.cy;
+  const double du = pixel.x() - camera.cx;
+  const double dv = pixel.y() - camera.cy;
   const double corner2 = camera.cx * camera.cx + camera.cy * camera.cy;
   return static_cast<float>(1.0 - kVignetteAtCorner * (du * du + dv * dv) / corner2);
 }
@@ -114,7 +114,7 @@ void SceneRenderer::FillNode(const View& view, int column, int row, double& dist
                      0.4F * PatchNoise(p.x() / 0.9, p.y() / 0.9, settings_.seabed_seed + 1);
   constexpr std::array<float, 3> kWeed{0.16F, 0.09F, 0.15F};
   const double range = distance * ray.norm();
-  const float vignette = Vignette(u, v);
+  const float vignette = Vignette({u, v});
   for (int c = 0; c < 3; ++c) {
     const auto i = static_cast<std::size_t>(c);
     const auto left_over = static_cast<float>(std::exp(-water_.attenuation_per_m[i] * range));

@@ -37,7 +37,7 @@ void ClipToImage(const CameraModel& camera, const Eigen::Vector3d& p_C, double r
   double all = 0.0;
   for (int row = 0; row < kRows; ++row) {
     const double v = outline.top + (row + 0.5) * step;
-    const std::optional<Chord> chord = ChordOfSphere(camera, p_C, radius, v);
+    const std::optional<Chord> chord = ChordOfSphere(camera, v, p_C, radius);
     if (!chord) {
       continue;
     }
@@ -59,8 +59,8 @@ void ClipToImage(const CameraModel& camera, const Eigen::Vector3d& p_C, double r
 
 }  // namespace
 
-std::optional<Chord> ChordOfSphere(const CameraModel& camera, const Eigen::Vector3d& p_C,
-                                   double radius, double v_px) {
+std::optional<Chord> ChordOfSphere(const CameraModel& camera, double v_px,
+                                   const Eigen::Vector3d& p_C, double radius) {
   // A ray d = (x, y, 1) touches where (d.c)^2 = |d|^2 (|c|^2 - r^2): quadratic in x for fixed y.
   const double y = (v_px - camera.cy) / camera.fy;
   const double k = p_C.squaredNorm() - radius * radius;

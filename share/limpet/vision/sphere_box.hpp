@@ -29,8 +29,7 @@ struct Chord {
   double left = 0.0, right = 0.0;
 };
 /// Nothing if the row misses the silhouette. REQUIRES: the sphere lies in front of the camera.
-[[nodiscard]] std::optional<Chord> ChordOfSphere(const CameraModel& camera,
-                                                 const Eigen::Vector3d& p_C, double radius,
-                                                 double v_px);
+[[nodiscard]] std::optional<Chord> ChordOfSphere(const CameraModel& camera, double v_px,
+                                                 const Eigen::Vector3d& p_C, double radius);
 
 }  // namespace limpet

@@ -49,16 +49,15 @@ int SpherePainter::last_row() const {
   return std::clamp(static_cast<int>(std::ceil(image_.outline.bottom + 1.0)), 0, camera_.height_px);
 }
 
-SpherePainter::Sample SpherePainter::Trace(double x, double y) const {
-  const Eigen::Vector3d ray(x, y, 1.0);
-  const double along = ray.dot(p_C_);
-  const double length2 = ray.squaredNorm();
+SpherePainter::Sample SpherePainter::Trace(const Eigen::Vector3d& ray_C) const {
+  const double along = ray_C.dot(p_C_);
+  const double length2 = ray_C.squaredNorm();
   const double passes2 = p_C_.squaredNorm() - along * along / length2;
   const double pixels = 0.5 * (fx_ + fy_) / p_C_.z();
   const double miss = std::sqrt(std::max(passes2, 0.0)) - radius_;
   const double depth2 = std::max(radius_ * radius_ - passes2, 0.0);
   return {.coverage = std::clamp(0.5 - miss * pixels, 0.0, 1.0),
-          .hit = ray * (along / length2 - std::sqrt(depth2 / length2))};
+          .hit = ray_C * (along / length2 - std::sqrt(depth2 / length2))};
 }
 
 bool SpherePainter::IsBuried(const Eigen::Vector3d& hit) {
@@ -69,7 +68,7 @@ bool SpherePainter::IsBuried(const Eigen::Vector3d& hit) {
 void SpherePainter::PaintRow(int row, double vignette_curve, LinearRow& linear) {
   const double v = row + 0.5;
   const double y = (v - camera_.cy) / fy_;
-  const std::optional<Chord> chord = ChordOfSphere(camera_, p_C_, radius_, v);
+  const std::optional<Chord> chord = ChordOfSphere(camera_, v, p_C_, radius_);
   // A row that misses the outline by less than a pixel still shows a little of it.
   const double left = chord ? chord->left : image_.outline.left;
   const double right = chord ? chord->right : image_.outline.right;
@@ -77,7 +76,7 @@ void SpherePainter::PaintRow(int row, double vignette_curve, LinearRow& linear) 
   const int last = std::min(static_cast<int>(std::ceil(right)) + 1, camera_.width_px);
   for (int column = first; column < last; ++column) {
     const double u = column + 0.5;
-    const Sample sample = Trace((u - camera_.cx) / fx_, y);
+    const Sample sample = Trace({(u - camera_.cx) / fx_, y, 1.0});
     if (sample.coverage <= 0.0 || (touches_seabed_ && IsBuried(sample.hit))) {
       continue;
     }

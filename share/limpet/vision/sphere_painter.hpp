@@ -39,7 +39,7 @@ class SpherePainter {
     double coverage = 0.0;  ///< of the pixel, 0 to 1
     Eigen::Vector3d hit;    ///< camera frame [m]
   };
-  [[nodiscard]] Sample Trace(double x, double y) const;
+  [[nodiscard]] Sample Trace(const Eigen::Vector3d& ray_C) const;
   [[nodiscard]] bool IsBuried(const Eigen::Vector3d& hit);
 
   CameraModel camera_;

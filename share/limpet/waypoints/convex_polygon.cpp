@@ -98,7 +98,7 @@ void ConvexPolygon::Grow(double distance) {
   const MapPoint center = Center();
   for (MapPoint& corner : corners_) {
     const double radius = std::max(DistanceBetween(center, corner) + distance, kLeast);
-    corner = Project(center, BearingTo(center, corner), radius);
+    corner = Project(center, {.bearing = BearingTo(center, corner), .distance = radius});
   }
 }
 

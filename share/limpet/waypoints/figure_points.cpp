@@ -90,7 +90,8 @@ struct Aside {
 
 MapPoint Beside(const MapPoint& place, double bearing, const Aside& by) {
   constexpr double kRightAngle = 0.5 * std::numbers::pi;
-  return Project(Project(place, bearing, by.ahead), bearing + kRightAngle, by.right);
+  return Project(Project(place, {.bearing = bearing, .distance = by.ahead}),
+                 {.bearing = bearing + kRightAngle, .distance = by.right});
 }
 
 /// Lanes along `degs`, or across it where the rows go from east to west, from the left of it to the
@@ -182,7 +183,8 @@ std::optional<Points> Radial(const Measures& in) {
                          center->y + in.Number("shifty").value_or(0.0)};
   Points points;
   for (int i = 0; i < *count; ++i) {
-    points.push_back(Project(shifted, 2.0 * std::numbers::pi * (i + 0.5) / *count, *radius));
+    points.push_back(Project(
+        shifted, {.bearing = 2.0 * std::numbers::pi * (i + 0.5) / *count, .distance = *radius}));
   }
   return points;
 }
@@ -214,10 +216,12 @@ std::optional<Points> Oval(const Measures& in) {
   if (!center || !radius || !length || !axis || *length < 2.0 * *radius) return std::nullopt;
   Points points;
   for (const double end : {1.0, -1.0}) {
-    const MapPoint middle = Project(*center, *axis, end * (0.5 * *length - *radius));
+    const MapPoint middle =
+        Project(*center, {.bearing = *axis, .distance = end * (0.5 * *length - *radius)});
     const double first = *axis - end * 0.5 * std::numbers::pi;
     for (int i = 0; i <= kSteps; ++i) {
-      points.push_back(Project(middle, first + i * std::numbers::pi / kSteps, *radius));
+      points.push_back(
+          Project(middle, {.bearing = first + i * std::numbers::pi / kSteps, .distance = *radius}));
     }
   }
   return points;
@@ -235,7 +239,7 @@ std::optional<Points> Wedge(const Measures& in) {
   const double angle = kTurn * (turns - std::floor(turns));
   Points points{*apex};
   for (int i = 0; i <= steps; ++i) {
-    points.push_back(Project(*apex, *left + angle * i / steps, *range));
+    points.push_back(Project(*apex, {.bearing = *left + angle * i / steps, .distance = *range}));
   }
   return points;
 }

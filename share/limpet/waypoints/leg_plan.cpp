@@ -68,10 +68,11 @@ std::vector<Offset> TurnAbout(const LegTurn& turn, double gap) {
 
 }  // namespace
 
-void LegPlan::Lay(const MapPoint& center, double bearing, double length) {
+void LegPlan::Lay(const MapPoint& center, const BearingAndDistance& leg) {
   constexpr double kShortest = 1.0;
-  const double half = 0.5 * std::max(kShortest, length);
-  ends_ = {Project(center, bearing, -half), Project(center, bearing, half)};
+  const double half = 0.5 * std::max(kShortest, leg.distance);
+  ends_ = {Project(center, {.bearing = leg.bearing, .distance = -half}),
+           Project(center, {.bearing = leg.bearing, .distance = half})};
 }
 
 MapPoint LegPlan::center() const {
@@ -82,14 +83,15 @@ std::vector<MapPoint> LegPlan::TurnPoints(std::size_t end) const {
   const LegTurn& turn = turns_.at(end);
   const MapPoint& from = *ends_.at(end);
   const double heading = BearingTo(*ends_.at(1 - end), from);
-  const MapPoint begin = Project(from, heading, turn.extension);
+  const MapPoint begin = Project(from, {.bearing = heading, .distance = turn.extension});
   const double starboard = heading + 0.5 * std::numbers::pi;
   const double side = turn.is_port ? 1.0 : -1.0;
   std::vector<MapPoint> points;
   LegTurn flown = turn;
   flown.radius = std::max(least_radius_, turn.radius);
   for (const Offset& at : TurnAbout(flown, point_gap_)) {
-    points.push_back(Project(Project(begin, heading, at.ahead), starboard, side * at.right));
+    points.push_back(Project(Project(begin, {.bearing = heading, .distance = at.ahead}),
+                             {.bearing = starboard, .distance = side * at.right}));
   }
   if (turn.extension > 0.0) points.push_back(from);
   return points;

@@ -24,9 +24,8 @@ struct LegTurn {
 class LegPlan {
  public:
   void SetEnd(std::size_t end, const MapPoint& point) { ends_.at(end) = point; }
-  /// The leg's middle, the bearing from its first to its second end [rad], and its length, at least
-  /// a metre.
-  void Lay(const MapPoint& center, double bearing, double length);
+  /// The leg's middle, and the way from its first to its second end, of at least a metre.
+  void Lay(const MapPoint& center, const BearingAndDistance& leg);
   [[nodiscard]] LegTurn& turn(std::size_t end) { return turns_.at(end); }
   [[nodiscard]] const LegTurn& turn(std::size_t end) const { return turns_.at(end); }
   /// No turn gets tighter than this [m].

@@ -18,8 +18,14 @@ namespace limpet {
   return std::atan2(to.x - from.x, to.y - from.y);
 }
 
-[[nodiscard]] inline MapPoint Project(const MapPoint& from, double bearing, double distance) {
-  return {.x = from.x + distance * std::sin(bearing), .y = from.y + distance * std::cos(bearing)};
+/// A way in a straight line.
+struct BearingAndDistance {
+  double bearing = 0.0;   ///< clockwise from north [rad]
+  double distance = 0.0;  ///< [m]
+};
+[[nodiscard]] inline MapPoint Project(const MapPoint& from, const BearingAndDistance& way) {
+  return {.x = from.x + way.distance * std::sin(way.bearing),
+          .y = from.y + way.distance * std::cos(way.bearing)};
 }
 
 /// A line from one place to another.
@@ -36,7 +42,7 @@ struct MapLeg {
                : 0.0;
   }
   [[nodiscard]] MapPoint At(double along) const {
-    return Project(from, BearingTo(from, to), along);
+    return Project(from, {.bearing = BearingTo(from, to), .distance = along});
   }
 };
 

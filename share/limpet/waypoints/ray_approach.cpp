@@ -54,11 +54,12 @@ RayApproach::RayApproach(const ConvexPolygon& polygon, const MapPoint& from, dou
   }
   // A way that misses is nearest at a corner, or where it begins.
   distance_ = std::max(0.0, polygon.Outside(from));
-  const MapLeg way{from, Project(from, bearing, 1.0)};
+  const MapLeg way{from, Project(from, {.bearing = bearing, .distance = 1.0})};
   for (const MapPoint& corner : polygon.corners()) {
     const double along = way.Along(corner);
     if (along <= 0.0) continue;
-    const double distance = DistanceBetween(Project(from, bearing, along), corner);
+    const double distance =
+        DistanceBetween(Project(from, {.bearing = bearing, .distance = along}), corner);
     if (distance < distance_) {
       distance_ = distance;
       along_ = along;
@@ -69,7 +70,8 @@ RayApproach::RayApproach(const ConvexPolygon& polygon, const MapPoint& from, dou
 double RayApproach::Within(double length) const {
   // The distance falls until there and grows from there on: the polygon is convex.
   if (length >= along_) return distance_;
-  return std::max(0.0, polygon_->Outside(Project(from_, bearing_, length)));
+  return std::max(0.0,
+                  polygon_->Outside(Project(from_, {.bearing = bearing_, .distance = length})));
 }
 
 std::optional<double> DistanceToBorder(const ConvexPolygon& polygon, const MapPoint& from,
@@ -92,7 +94,8 @@ std::vector<MapPoint> BufferedCorners(const ConvexPolygon& polygon, double dista
     const double turn = std::fmod(after - before + 4.0 * std::numbers::pi, 2.0 * std::numbers::pi);
     const int steps = std::max(1, static_cast<int>(std::ceil(turn / kFinest)));
     for (int k = 0; k <= steps; ++k) {
-      ring.push_back(Project(corners[i], before + turn * k / steps, distance));
+      ring.push_back(
+          Project(corners[i], {.bearing = before + turn * k / steps, .distance = distance}));
     }
   }
   return ring;

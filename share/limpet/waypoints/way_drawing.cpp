@@ -77,7 +77,8 @@ std::vector<DrawnText> CircleDrawing::Draw(const std::string& label, double radi
   constexpr int kCorners = 32;
   PolygonShape circle;
   for (int i = 0; i < kCorners; ++i) {
-    circle.corners.push_back(Project(center, 2.0 * std::numbers::pi * i / kCorners, radius));
+    circle.corners.push_back(
+        Project(center, {.bearing = 2.0 * std::numbers::pi * i / kCorners, .distance = radius}));
   }
   const Shape shape{.label = label,
                     .form = std::move(circle),

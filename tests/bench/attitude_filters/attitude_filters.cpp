@@ -66,7 +66,7 @@ using Filter = std::function<Tilt(const Sample&)>;
 
 Filter Ours(const AttitudeParams& params) {
   return [filter = AttitudeFilter(params)](const Sample& sample) mutable {
-    filter.AddFogRate(sample.input.t, sample.fog_rate);
+    filter.AddFogRate(sample.input.t, RadiansPerSecond(sample.fog_rate));
     filter.SetBodyVelocity(sample.v_WB_B);
     static_cast<void>(filter.AddInertial(sample.input));
     return Tilt{filter.estimate()->roll, filter.estimate()->pitch};

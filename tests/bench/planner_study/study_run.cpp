@@ -222,8 +222,9 @@ class Flight {
 }  // namespace
 
 CameraModel CameraOf(const StudyCase& study) {
-  return study.camera == "60x45" ? CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(60.0),
-                                                                RadiansFromDegrees(45.0))
+  return study.camera == "60x45" ? CameraModel::FromFieldOfView(640, 480,
+                                                                {.across = RadiansFromDegrees(60.0),
+                                                                 .along = RadiansFromDegrees(45.0)})
                                  : CameraModel();
 }
 

@@ -16,8 +16,9 @@ namespace {
 class BoxReadingProperties : public ::testing::TestWithParam<int> {
  protected:
   static CameraModel DrawLens(Random& random) {
-    return CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(random.Uniform(50.0, 100.0)),
-                                        RadiansFromDegrees(random.Uniform(40.0, 80.0)));
+    return CameraModel::FromFieldOfView(640, 480,
+                                        {.across = RadiansFromDegrees(random.Uniform(50.0, 100.0)),
+                                         .along = RadiansFromDegrees(random.Uniform(40.0, 80.0))});
   }
   /// A sphere whose centre is this far out, as shares of the image's half angles.
   [[nodiscard]] Eigen::Vector3d DrawCentre(double out_u, double out_v) {

@@ -29,7 +29,7 @@ void Feed(AttitudeFilter& filter, double until, double roll, double pitch, doubl
   const double start = filter.estimate() ? filter.estimate()->t : 0.0;
   for (double t = start + kPeriod; t < until; t += kPeriod) {
     const InertialInput input = Steady(t, roll, pitch, yaw);
-    filter.AddFogRate(t, input.rate_B.z());
+    filter.AddFogRate(t, RadiansPerSecond(input.rate_B.z()));
     filter.AddInertial(input);
   }
 }
@@ -82,7 +82,7 @@ TEST(AttitudeFilter, TurnsTheBodyRateIntoAYawRateThroughRollAndPitch) {
   double yaw = 0.0;
   for (double t = 6.0; t < 16.0; t += kPeriod) {
     const InertialInput input = Steady(t, 0.2, 0.0, yaw, 0.1);
-    filter.AddFogRate(t, input.rate_B.z());
+    filter.AddFogRate(t, RadiansPerSecond(input.rate_B.z()));
     filter.AddInertial(input);
     yaw += 0.1 * kPeriod;
   }
@@ -231,7 +231,7 @@ TEST(AttitudeFilter, SaysWhichHeadingIsAnOutlierThoughTheMotionIsNone) {
 TEST(AttitudeFilter, TakesNoGyroRateOfAnotherTime) {
   AttitudeFilter filter{AttitudeParams{}};
   Feed(filter, 10.0, 0.0, 0.0, 0.5);
-  filter.AddFogRate(3610.0, 1.0);
+  filter.AddFogRate(3610.0, RadiansPerSecond(1.0));
   for (double t = 10.0; t < 12.0; t += kPeriod) {
     static_cast<void>(filter.AddInertial(Steady(t, 0.0, 0.0, 0.5)));
   }

@@ -97,7 +97,8 @@ double LogFalseAlarm(const GateScene& scene) {
   frame.boxes = {scene.BoxThere()};
   watch.See(frame, scene.model, NobodyKnown);
   const double present_over_bare = watch.evidence().present(0);
-  return watch.LogLikelihood(1.0, 0.5)(0) - std::log(0.5) - std::log1p(std::exp(present_over_bare));
+  return watch.LogLikelihood({.chance = 0.5, .look_worth = 1.0})(0) - std::log(0.5) -
+         std::log1p(std::exp(present_over_bare));
 }
 
 TEST_P(PlaceWatchGate, AFalseBoxIsAsRareAsItsColourSizeAndPlaceTogether) {

@@ -100,7 +100,8 @@ class Dive {
       const Eigen::Vector3d p_W = objects_[i].object().p_W;
       if (!objects_[i].is_there || objects_[i].is_overgrown) continue;
       const double share = VisibleShare(kWaterCamera, frame.X_WB, p_W, 0.5);
-      if (!random_.Chance(DetectionChance(detector, (p_W - frame.X_WB.p_WB).norm(), share)))
+      if (!random_.Chance(
+              DetectionChance(detector, {.range = (p_W - frame.X_WB.p_WB).norm(), .share = share})))
         continue;
       const Eigen::Vector2d pixel = *kWaterCamera.Project(kWaterCamera.InCamera(frame.X_WB, p_W));
       const double size = kWaterCamera.fx / objects_[i].below;

@@ -14,7 +14,7 @@ namespace {
 TEST(SpeedController, FeedsForwardTheDragOfASteadySpeed) {
   SpeedController speed({}, DefaultHydrodynamics());
   speed.Reset(0.5);
-  EXPECT_NEAR(speed.Force(speed.Lack({0.5, 0.5}, kLawStep), 0.0),
+  EXPECT_NEAR(speed.Force({.lack = speed.Lack({0.5, 0.5}, kLawStep), .current = 0.0}),
               DragForce(DefaultHydrodynamics(), 0, 0.5), 1e-12);
 }
 

@@ -16,8 +16,8 @@ class CameraModelProperties : public ::testing::TestWithParam<int> {
   static CameraModel Draw(Random& random) {
     CameraModel camera = CameraModel::FromFieldOfView(
         320 + static_cast<int>(random.Index(1600)), 240 + static_cast<int>(random.Index(1000)),
-        RadiansFromDegrees(random.Uniform(30.0, 110.0)),
-        RadiansFromDegrees(random.Uniform(30.0, 90.0)));
+        {.across = RadiansFromDegrees(random.Uniform(30.0, 110.0)),
+         .along = RadiansFromDegrees(random.Uniform(30.0, 90.0))});
     camera.cx += random.Uniform(-20.0, 20.0);
     camera.cy += random.Uniform(-20.0, 20.0);
     camera.R_BC = RotationFromRollPitchYaw(random.Normal(0.2), random.Normal(0.2),
@@ -40,7 +40,7 @@ TEST_P(CameraModelProperties, TheRayOfAPixelLeadsThroughIt) {
   for (int i = 0; i < 100; ++i) {
     const double u = random_.Uniform(0.0, camera_.width_px);
     const double v = random_.Uniform(0.0, camera_.height_px);
-    const Eigen::Vector3d ray_C = camera_.RayOf(u, v);
+    const Eigen::Vector3d ray_C = camera_.RayOf({u, v});
     EXPECT_NEAR(ray_C.norm(), 1.0, 1e-12);
     const auto pixel = camera_.Project(random_.Uniform(0.1, 50.0) * ray_C);
     ASSERT_TRUE(pixel);
@@ -72,14 +72,15 @@ TEST_P(CameraModelProperties, WorldAndCameraAreOneRigidMotionApart) {
 TEST_P(CameraModelProperties, TheFieldOfViewIsTheAngleBetweenTheImagesEdges) {
   CameraModel centred = camera_;
   centred.cx = 0.5 * centred.width_px, centred.cy = 0.5 * centred.height_px;
-  const Eigen::Vector3d left = centred.RayOf(0.0, centred.cy);
-  const Eigen::Vector3d right = centred.RayOf(centred.width_px, centred.cy);
-  const Eigen::Vector3d top = centred.RayOf(centred.cx, 0.0);
-  const Eigen::Vector3d bottom = centred.RayOf(centred.cx, centred.height_px);
+  const Eigen::Vector3d left = centred.RayOf({0.0, centred.cy});
+  const Eigen::Vector3d right = centred.RayOf({centred.width_px, centred.cy});
+  const Eigen::Vector3d top = centred.RayOf({centred.cx, 0.0});
+  const Eigen::Vector3d bottom = centred.RayOf({centred.cx, centred.height_px});
   EXPECT_NEAR(std::acos(left.dot(right)), centred.fov_across(), 1e-9);
   EXPECT_NEAR(std::acos(top.dot(bottom)), centred.fov_along(), 1e-9);
-  const CameraModel again = CameraModel::FromFieldOfView(centred.width_px, centred.height_px,
-                                                         centred.fov_across(), centred.fov_along());
+  const CameraModel again =
+      CameraModel::FromFieldOfView(centred.width_px, centred.height_px,
+                                   {.across = centred.fov_across(), .along = centred.fov_along()});
   EXPECT_NEAR(again.fx, centred.fx, 1e-9);
   EXPECT_NEAR(again.fy, centred.fy, 1e-9);
 }

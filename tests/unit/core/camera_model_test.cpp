@@ -7,7 +7,7 @@ namespace limpet {
 namespace {
 
 TEST(CameraModel, GivesBackTheFieldOfViewItWasMadeFrom) {
-  const CameraModel camera = CameraModel::FromFieldOfView(640, 360, 1.2, 0.8);
+  const CameraModel camera = CameraModel::FromFieldOfView(640, 360, {.across = 1.2, .along = 0.8});
   EXPECT_NEAR(camera.fov_across(), 1.2, 1e-12);
   EXPECT_NEAR(camera.fov_along(), 0.8, 1e-12);
   EXPECT_EQ(camera.cx, 320.0);
@@ -40,7 +40,7 @@ TEST(CameraModel, RayAndProjectionUndoEachOtherForAnyMounting) {
   const Eigen::Vector3d p_C = camera.InCamera(X_WB, {2.0, 2.5, 8.0});
   const auto pixel = camera.Project(p_C);
   ASSERT_TRUE(pixel);
-  EXPECT_TRUE(camera.RayOf(pixel->x(), pixel->y()).isApprox(p_C.normalized(), 1e-12));
+  EXPECT_TRUE(camera.RayOf(*pixel).isApprox(p_C.normalized(), 1e-12));
 }
 
 TEST(CameraModel, ShowsNothingBehindItself) {

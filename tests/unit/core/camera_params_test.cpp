@@ -53,9 +53,10 @@ TEST(CameraParams, ZeroLeavesTheLensToTheFieldOfView) {
   const auto params = ReadParams<CameraParams>(block);
   EXPECT_EQ(params.fx_px, std::nullopt);
   const CameraModel camera = params.pinhole();
-  EXPECT_EQ(camera.fx, CameraModel::FromFieldOfView(320, 240, params.fov_across.value(),
-                                                    params.fov_along.value())
-                           .fx);
+  EXPECT_EQ(camera.fx,
+            CameraModel::FromFieldOfView(
+                320, 240, {.across = params.fov_across.value(), .along = params.fov_along.value()})
+                .fx);
   EXPECT_EQ(camera.fy, 310.5);
   EXPECT_EQ(camera.cx, 150.0);
   EXPECT_EQ(camera.cy, 120.0);

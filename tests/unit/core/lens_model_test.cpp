@@ -54,7 +54,7 @@ TEST_P(Lens, ARayIsTheSameThroughEitherPinhole) {
   const Eigen::Vector2d pixel(500.0, 100.0);
   const auto ray = [&](const CameraModel& camera) {
     const Eigen::Vector2d there = lens_.ToPinhole(camera, pixel);
-    return camera.RayOf(there.x(), there.y());
+    return camera.RayOf(there);
   };
   EXPECT_LT((ray(lens_.rectified()) - ray(lens_.enclosing())).norm(), 1e-12);
 }

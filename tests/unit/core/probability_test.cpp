@@ -58,13 +58,18 @@ TEST(NormalShareBelow, IsAStepWithoutVariance) {
 }
 
 TEST(NormalCost, IsMinusTwiceTheDensitysLogarithm) {
-  EXPECT_NEAR(NormalCost(1.7 * 1.7, 0.0, 1), -2.0 * std::log(StandardNormalDensity(1.7)), 1e-14);
+  EXPECT_NEAR(NormalCost({.distance2 = 1.7 * 1.7, .log_determinant = 0.0, .dimensions = 1}),
+              -2.0 * std::log(StandardNormalDensity(1.7)), 1e-14);
   // Independent variables' costs add.
   const double variance = 0.3, off = 0.5;
-  const double one = NormalCost(off * off / variance, std::log(variance), 1);
-  EXPECT_NEAR(NormalCost(3.0 * off * off / variance, 3.0 * std::log(variance), 3), 3.0 * one,
-              1e-13);
-  EXPECT_NEAR(NormalCost(0.0, 0.0, 3), 3.0 * std::log(2.0 * std::numbers::pi), 1e-15);
+  const double one = NormalCost(
+      {.distance2 = off * off / variance, .log_determinant = std::log(variance), .dimensions = 1});
+  EXPECT_NEAR(NormalCost({.distance2 = 3.0 * off * off / variance,
+                          .log_determinant = 3.0 * std::log(variance),
+                          .dimensions = 3}),
+              3.0 * one, 1e-13);
+  EXPECT_NEAR(NormalCost({.distance2 = 0.0, .log_determinant = 0.0, .dimensions = 3}),
+              3.0 * std::log(2.0 * std::numbers::pi), 1e-15);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ TEST(HelmEvents, AreFoundByTheirTime) {
   events.Take({"WPT_INDEX", "lap", "0"}, 1.0);
   events.Take({"WPT_INDEX", "lap", "1"}, 2.0);
   events.Take({"WPT_INDEX", "lap", "2"}, 1.9);
-  EXPECT_EQ(events.Between(1.0, 2.0).size(), 2U) << "one that came late counts as of then";
-  EXPECT_TRUE(events.Between(2.0, 1.0).empty());
+  EXPECT_EQ(events.Between({1.0, 2.0}).size(), 2U) << "one that came late counts as of then";
+  EXPECT_TRUE(events.Between({2.0, 1.0}).empty());
 }
 
 }  // namespace

@@ -223,7 +223,7 @@ TEST(MapSymbols, TellStatusesApartByShapeToo) {
   std::set<std::string> shapes;
   for (const Status status : {Status::kConfirmed, Status::kRemoved, Status::kNew, Status::kMoved,
                               Status::kUncertain, Status::kNotInspected}) {
-    SvgCanvas canvas(40.0, 40.0, "one symbol");
+    SvgCanvas canvas({40.0, 40.0}, "one symbol");
     DrawStatus(canvas, {20.0, 20.0}, status);
     std::string shape;
     for (const SvgElement& element : ReadSvg(canvas.Finish())) {
@@ -243,7 +243,7 @@ TEST(MapSymbols, ACovariancesEllipseHasItsAxesAndItsTurn) {
     const std::array<double, 3> cov{major * major * c * c + minor * minor * s * s,
                                     (major * major - minor * minor) * c * s,
                                     major * major * s * s + minor * minor * c * c};
-    SvgCanvas canvas(100.0, 100.0, "ellipse");
+    SvgCanvas canvas({100.0, 100.0}, "ellipse");
     DrawCovariance(canvas, {50.0, 50.0}, 10.0, cov, {.stroke = palette::kBlue});
     const SvgElement ellipse = ReadSvg(canvas.Finish()).back();
     EXPECT_NEAR(ellipse.Number("rx"), 10.0 * major, 0.011);

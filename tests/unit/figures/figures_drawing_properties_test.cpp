@@ -23,7 +23,7 @@ TEST(TickMarksProperties, AreRoundEvenlySpacedInsideAndNotTooMany) {
     const double low = random.Uniform(-1.0, 1.0) * size;
     const double high = low + random.Uniform(0.01, 2.0) * size;
     const int count = 2 + static_cast<int>(random.Index(10));
-    const std::vector<double> ticks = TickMarks(low, high, count);
+    const std::vector<double> ticks = TickMarks({low, high}, count);
     EXPECT_LE(ticks.size(), static_cast<std::size_t>(count) + 1);
     const double slack = 1e-8 * (std::abs(low) + std::abs(high));
     for (std::size_t i = 0; i < ticks.size(); ++i) {
@@ -44,7 +44,7 @@ TEST(TickMarksProperties, AreAtLeastAThirdOfWhatWasAskedFor) {
   Random random(2, "ticks");
   for (int run = 0; run < 1000; ++run) {
     const double low = random.Uniform(-100.0, 100.0), high = low + random.Uniform(0.1, 500.0);
-    EXPECT_GE(TickMarks(low, high, 9).size(), 3U) << low << " " << high;
+    EXPECT_GE(TickMarks({low, high}, 9).size(), 3U) << low << " " << high;
   }
 }
 
@@ -91,20 +91,20 @@ TEST(SimplifiedCurves, OfAStraightLineAreItsTwoEnds) {
 }
 
 TEST(PlotAxesProperties, PutTheCornersOfTheRangesInTheCornersOfTheFrame) {
-  SvgCanvas canvas(700.0, 500.0, "plot");
+  SvgCanvas canvas({700.0, 500.0}, "plot");
   PlotAxes::Layout layout;
   layout.corner = {50.0, 40.0};
   layout.size = {600.0, 300.0};
   layout.x = {10.0, 20.0};
   layout.y = {-1.0, 3.0};
   const PlotAxes plot(canvas, layout);
-  EXPECT_LT((plot.At(10.0, 3.0) - SvgCanvas::Point(50.0, 40.0)).norm(), 1e-9);
-  EXPECT_LT((plot.At(20.0, -1.0) - SvgCanvas::Point(650.0, 340.0)).norm(), 1e-9);
-  EXPECT_LT((plot.At(15.0, 1.0) - SvgCanvas::Point(350.0, 190.0)).norm(), 1e-9);
+  EXPECT_LT((plot.At({10.0, 3.0}) - SvgCanvas::Point(50.0, 40.0)).norm(), 1e-9);
+  EXPECT_LT((plot.At({20.0, -1.0}) - SvgCanvas::Point(650.0, 340.0)).norm(), 1e-9);
+  EXPECT_LT((plot.At({15.0, 1.0}) - SvgCanvas::Point(350.0, 190.0)).norm(), 1e-9);
 }
 
 TEST(PlotAxesProperties, CutACurveToTheFrame) {
-  SvgCanvas canvas(700.0, 500.0, "plot");
+  SvgCanvas canvas({700.0, 500.0}, "plot");
   PlotAxes plot(canvas, {.x = {0.0, 1.0}, .y = {0.0, 1.0}, .x_label = "way", .y_label = "share"});
   plot.Curve({0.0, 0.5, 1.0}, {-5.0, 0.5, 9.0}, {.stroke = palette::kBlue});
   const auto elements = ReadSvg(canvas.Finish());

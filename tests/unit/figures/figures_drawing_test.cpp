@@ -46,10 +46,10 @@ TEST(RgbaPng, IsSmallForAnEvenImage) {
 }
 
 TEST(TickMarks, AreRound) {
-  EXPECT_THAT(TickMarks(-7.0, 12.0, 5), ElementsAre(-5.0, 0.0, 5.0, 10.0));
+  EXPECT_THAT(TickMarks({-7.0, 12.0}, 5), ElementsAre(-5.0, 0.0, 5.0, 10.0));
 }
 
-TEST(TickMarks, AreNoneOnAnEmptyRange) { EXPECT_TRUE(TickMarks(1.0, 1.0, 5).empty()); }
+TEST(TickMarks, AreNoneOnAnEmptyRange) { EXPECT_TRUE(TickMarks({1.0, 1.0}, 5).empty()); }
 
 TEST(TickText, HasATrueMinusAndNoNegativeZero) {
   EXPECT_EQ(TickText(-2.5), "\u22122.5");
@@ -57,7 +57,7 @@ TEST(TickText, HasATrueMinusAndNoNegativeZero) {
 }
 
 TEST(SvgCanvas, EscapesText) {
-  SvgCanvas canvas(10.0, 10.0, "a < b");
+  SvgCanvas canvas({10.0, 10.0}, "a < b");
   canvas.Text({0.0, 0.0}, "\"x\" & y");
   EXPECT_THAT(canvas.Finish(), HasSubstr("&quot;x&quot; &amp; y"));
   EXPECT_THAT(canvas.Finish(), HasSubstr("<title>a &lt; b</title>"));
@@ -65,7 +65,7 @@ TEST(SvgCanvas, EscapesText) {
 
 TEST(SvgCanvas, KeepsClipsOfTwoPicturesApart) {
   const auto clip_of = [](const char* title) {
-    SvgCanvas canvas(10.0, 10.0, title);
+    SvgCanvas canvas({10.0, 10.0}, title);
     canvas.BeginClip({0.0, 0.0}, {5.0, 5.0});
     canvas.EndClip();
     const std::string text = canvas.Finish();

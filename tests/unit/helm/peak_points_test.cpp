@@ -71,7 +71,7 @@ TEST(MaximizeOverPoints, OfEqualsTheSafestThenTheNearestToWhatIsWantedIsTaken) {
   const WeightedPeak deep{{.summit = 30.0, .flat_half_width = 0.0, .base_half_width = 2.0}, 100.0};
   const WeightedPeak above_20{Limit(20.0, 0.1), 50.0}, above_25{Limit(25.0, 0.1), 50.0};
   EXPECT_EQ(MaximizeOverPoints(std::vector{deep, above_20, above_25}, kDepths, kDepth), 20.0);
-  EXPECT_EQ(MaximizeOverInterval(std::vector{deep, above_20, above_25}, 0.0, 100.0), 20.0);
+  EXPECT_EQ(MaximizeOverInterval(std::vector{deep, above_20, above_25}, {0.0, 100.0}), 20.0);
 }
 
 TEST(MaximizeOverPoints, OfASpeedInTheMiddleOfTwoPointsTakesTheSlower) {

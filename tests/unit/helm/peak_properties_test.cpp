@@ -62,7 +62,7 @@ TEST_P(PeakProperties, NoValueInTheIntervalIsWorthMore) {
   for (int run = 0; run < 20; ++run) {
     const double low = random_.Uniform(-10.0, 0.0), high = low + random_.Uniform(0.5, 15.0);
     const std::vector<WeightedPeak> peaks = DrawPeaks(low - 3.0, high + 3.0);
-    const double best = MaximizeOverInterval(peaks, low, high);
+    const double best = MaximizeOverInterval(peaks, {low, high});
     EXPECT_GE(best, low);
     EXPECT_LE(best, high);
     for (int i = 0; i <= 400; ++i)
@@ -97,20 +97,20 @@ TEST_P(PeakProperties, ACourseTurnsWithItsPreferences) {
 TEST_P(PeakProperties, WeightsCountByTheirRatiosAlone) {
   for (int run = 0; run < 20; ++run) {
     std::vector<WeightedPeak> peaks = DrawPeaks(0.0, 10.0);
-    const double before = MaximizeOverInterval(peaks, 0.0, 10.0);
+    const double before = MaximizeOverInterval(peaks, {0.0, 10.0});
     for (auto& [peak, weight] : peaks)
       weight *= 4.0;
-    EXPECT_NEAR(MaximizeOverInterval(peaks, 0.0, 10.0), before, 1e-9);
+    EXPECT_NEAR(MaximizeOverInterval(peaks, {0.0, 10.0}), before, 1e-9);
   }
 }
 
 TEST_P(PeakProperties, TheOrderOfPreferencesDoesNotMatterUnlessTheyAreEqual) {
   for (int run = 0; run < 20; ++run) {
     std::vector<WeightedPeak> peaks = DrawPeaks(0.0, 10.0);
-    const double before = MaximizeOverInterval(peaks, 0.0, 10.0);
+    const double before = MaximizeOverInterval(peaks, {0.0, 10.0});
     std::ranges::reverse(peaks);
-    EXPECT_NEAR(SumOnLine(peaks, MaximizeOverInterval(peaks, 0.0, 10.0)), SumOnLine(peaks, before),
-                1e-6);
+    EXPECT_NEAR(SumOnLine(peaks, MaximizeOverInterval(peaks, {0.0, 10.0})),
+                SumOnLine(peaks, before), 1e-6);
   }
 }
 
@@ -120,7 +120,7 @@ TEST_P(PeakProperties, AmongEqualsTheHeaviestsSummitIsTaken) {
   const std::vector<WeightedPeak> peaks{
       {{.summit = light, .flat_half_width = 1.0, .base_half_width = 2.0}, 1.0},
       {{.summit = heavy, .flat_half_width = 1.0, .base_half_width = 2.0}, 2.0}};
-  EXPECT_EQ(MaximizeOverInterval(peaks, 0.0, 10.0), heavy);
+  EXPECT_EQ(MaximizeOverInterval(peaks, {0.0, 10.0}), heavy);
   EXPECT_EQ(MaximizeOverCircle(peaks), WrapAngle(heavy));
 }
 

@@ -30,28 +30,28 @@ TEST(Peak, IsOneOnTheFlatTopAndZeroBeyondTheBase) {
 TEST(MotionArbitration, FollowsTheOnlyBidder) {
   const std::array peaks{
       WeightedPeak{{.summit = 3.5, .flat_half_width = 0.0, .base_half_width = 5.0}, 1.0}};
-  EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, 0.0, 10.0), 3.5);
+  EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, {0.0, 10.0}), 3.5);
 }
 
 TEST(MotionArbitration, StaysInsideTheDomain) {
   const std::array peaks{
       WeightedPeak{{.summit = -4.0, .flat_half_width = 0.0, .base_half_width = 9.0}, 1.0}};
-  EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, 0.0, 10.0), 0.0);
+  EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, {0.0, 10.0}), 0.0);
 }
 
 TEST(MotionArbitration, GivesWayToTheHeavierOfTwoThatExcludeEachOther) {
   const std::array peaks{
       WeightedPeak{{.summit = 1.0, .flat_half_width = 0.0, .base_half_width = 0.5}, 1.0},
       WeightedPeak{{.summit = 8.0, .flat_half_width = 0.0, .base_half_width = 0.5}, 2.0}};
-  EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, 0.0, 10.0), 8.0);
+  EXPECT_DOUBLE_EQ(MaximizeOverInterval(peaks, {0.0, 10.0}), 8.0);
 }
 
 TEST(MotionArbitration, GoesAsFarAsItMayForWhoWantsMore) {
   const WeightedPeak at_most_7{{.summit = 3.5, .flat_half_width = 3.5, .base_half_width = 4.5},
                                2.0};
   const WeightedPeak deep{{.summit = 50.0, .flat_half_width = 8.0, .base_half_width = 20.0}, 1.0};
-  EXPECT_EQ(MaximizeOverInterval(std::vector{at_most_7, deep}, 0.0, 199.0), 7.0);
-  EXPECT_EQ(MaximizeOverInterval(std::vector{at_most_7}, 0.0, 199.0), 3.5);
+  EXPECT_EQ(MaximizeOverInterval(std::vector{at_most_7, deep}, {0.0, 199.0}), 7.0);
+  EXPECT_EQ(MaximizeOverInterval(std::vector{at_most_7}, {0.0, 199.0}), 3.5);
 }
 
 TEST(MotionArbitration, NeverDoesWorseThanAFineGrid) {
@@ -65,7 +65,7 @@ TEST(MotionArbitration, NeverDoesWorseThanAFineGrid) {
                         .base_half_width = flat + random.Uniform(0.1, 4.0)},
                        random.Uniform(0.1, 3.0)});
     }
-    const double best = SumOnInterval(peaks, MaximizeOverInterval(peaks, 0.0, 10.0));
+    const double best = SumOnInterval(peaks, MaximizeOverInterval(peaks, {0.0, 10.0}));
     for (double x = 0.0; x <= 10.0; x += 0.01) {
       ASSERT_GE(best, SumOnInterval(peaks, x) - 1e-9);
     }

@@ -42,10 +42,10 @@ TEST(WaterColumn, RedIsLostFirstAndBlueTooWhereMuchIsDissolved) {
 
 TEST(WaterColumn, VeilGrowsWithRangeAndSaturates) {
   const WaterColumn water(Meters(6.0), {0.5, 1.0});
-  EXPECT_EQ(water.Veil(0.0, 1.0).maxCoeff(), 0.0);
-  EXPECT_TRUE((water.Veil(4.0, 1.0) > water.Veil(2.0, 1.0)).all());
-  const Eigen::Array3f far = water.Veil(200.0, 1.0);
-  EXPECT_TRUE((water.Veil(400.0, 1.0) - far).abs().maxCoeff() < 1e-9);
+  EXPECT_EQ(water.Veil(0.0, {0.0, 0.0, 1.0}).maxCoeff(), 0.0);
+  EXPECT_TRUE((water.Veil(4.0, {0.0, 0.0, 1.0}) > water.Veil(2.0, {0.0, 0.0, 1.0})).all());
+  const Eigen::Array3f far = water.Veil(200.0, {0.0, 0.0, 1.0});
+  EXPECT_TRUE((water.Veil(400.0, {0.0, 0.0, 1.0}) - far).abs().maxCoeff() < 1e-9);
   // Limit: what a metre sends back, over both coefficients.
   const Eigen::Array3f limit =
       water.BackscatterPerMeter() / (BeamAttenuation(water) + DiffuseAttenuation(water));
@@ -54,12 +54,12 @@ TEST(WaterColumn, VeilGrowsWithRangeAndSaturates) {
 
 TEST(WaterColumn, VeilOfARayThatGoesDownIsDarkerThanOfALevelOne) {
   const WaterColumn water(Meters(6.0), {0.5, 1.0});
-  EXPECT_TRUE((water.Veil(5.0, 1.0) < water.Veil(5.0, 0.0)).all());
-  EXPECT_TRUE((water.Veil(5.0, 0.0) < water.Veil(5.0, -1.0)).all());
+  EXPECT_TRUE((water.Veil(5.0, {0.0, 0.0, 1.0}) < water.Veil(5.0, {0.0, 0.0, 0.0})).all());
+  EXPECT_TRUE((water.Veil(5.0, {0.0, 0.0, 0.0}) < water.Veil(5.0, {0.0, 0.0, -1.0})).all());
 }
 
 TEST(WaterColumn, NoBackscatterMeansNoVeil) {
-  EXPECT_EQ(WaterColumn(Meters(6.0), {0.5, 0.0}).Veil(50.0, 1.0).maxCoeff(), 0.0);
+  EXPECT_EQ(WaterColumn(Meters(6.0), {0.5, 0.0}).Veil(50.0, {0.0, 0.0, 1.0}).maxCoeff(), 0.0);
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ TEST(ObjectProbability, IsTheConfidenceAtTheCentreAndNeverEvidenceAgainst) {
 TEST(NearSurface, LiesOnTheSphereAndFacesTheCamera) {
   const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.3};
   const ObjectLook look{.X_WB = X_WB, .box = BoxAround(X_WB, kPlace, 1), .object_W = kPlace};
-  const std::vector<VoxelEvidence> points = NearSurface(look, kCamera, kRadius, 0.1);
+  const std::vector<VoxelEvidence> points =
+      NearSurface(look, kCamera, {.radius = kRadius, .spacing = 0.1});
   EXPECT_GT(points.size(), 50U);
   for (const VoxelEvidence& point : points) {
     EXPECT_NEAR((point.p_W - kPlace).norm(), kRadius, 0.02);
@@ -92,7 +93,8 @@ TEST(NearSurface, ShowsAnObjectOfEightMetresAcross) {
   look.box.w *= kLarge / kRadius;
   look.box.h *= kLarge / kRadius;
   EXPECT_NEAR(RadiusFromBox(look, kCamera), kLarge, 0.01);
-  const std::vector<VoxelEvidence> points = NearSurface(look, kCamera, kLarge, kSpacing);
+  const std::vector<VoxelEvidence> points =
+      NearSurface(look, kCamera, {.radius = kLarge, .spacing = kSpacing});
   const double disc = kLarge * kLarge * 3.14159;
   EXPECT_GT(static_cast<double>(points.size()), 0.7 * disc / (kSpacing * kSpacing));
 }
@@ -220,7 +222,8 @@ TEST(NearSurface, ShowsNothingOutsideTheImage) {
   const Pose X_WB{{4.0, 1.5, 2.5}, 0.0, 0.0, 0.0};
   const Eigen::Vector3d p_W = X_WB.p_WB + Eigen::Vector3d(0.0, 2.4, 3.0);
   const ObjectLook look{.X_WB = X_WB, .box = BoxAround(X_WB, p_W, 1), .object_W = p_W};
-  for (const VoxelEvidence& point : NearSurface(look, kCamera, kRadius, 0.1)) {
+  for (const VoxelEvidence& point :
+       NearSurface(look, kCamera, {.radius = kRadius, .spacing = 0.1})) {
     EXPECT_LE(kCamera.Project(kCamera.InCamera(X_WB, point.p_W))->x(), kCamera.width_px + 1e-6);
   }
 }
@@ -252,7 +255,8 @@ TEST(ObjectLayer, HoldsNothingAgainstAnObjectThatWasFirstThoughtElsewhere) {
 }
 
 TEST(ObjectCluster, OfOneVoxelIsAsUncertainAsThatVoxelIsLarge) {
-  const std::optional<ObjectCluster> cluster = LargestCluster({{1, 2, 3}}, kRadius, 0.2);
+  const std::optional<ObjectCluster> cluster =
+      LargestCluster({{1, 2, 3}}, {.radius = kRadius, .spacing = 0.2});
   ASSERT_TRUE(cluster);
   EXPECT_NEAR(cluster->deviation_W.x(), 0.2 / std::sqrt(12.0), 1e-9);
 }

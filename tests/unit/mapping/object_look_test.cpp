@@ -79,7 +79,8 @@ TEST_P(ObjectLookProperties, TheRadiusOfABoxIsThatOfTheSphere) {
 TEST_P(ObjectLookProperties, EveryPointLiesOnTheNearSideOfTheSphere) {
   for (int i = 0; i < 20; ++i) {
     const SphereView view = DrawView(random_);
-    const auto points = NearSurface(view.look, view.camera, view.radius, 0.1);
+    const auto points =
+        NearSurface(view.look, view.camera, {.radius = view.radius, .spacing = 0.1});
     ASSERT_GT(points.size(), 10U);
     const Eigen::Vector3d origin =
         view.look.X_WB.p_WB + RotationOf(view.look.X_WB) * view.camera.p_BC;
@@ -94,7 +95,8 @@ TEST_P(ObjectLookProperties, EvidenceIsGreatestInTheMiddleAndNeverAgainst) {
   for (int i = 0; i < 20; ++i) {
     const SphereView view = DrawView(random_);
     const double most = std::log(view.look.box.confidence / (1.0 - view.look.box.confidence));
-    for (const VoxelEvidence& point : NearSurface(view.look, view.camera, view.radius, 0.05)) {
+    for (const VoxelEvidence& point :
+         NearSurface(view.look, view.camera, {.radius = view.radius, .spacing = 0.05})) {
       EXPECT_GE(point.log_odds, 0.0);
       EXPECT_LE(point.log_odds, most + 1e-9);
     }
@@ -105,7 +107,8 @@ TEST_P(ObjectLookProperties, TheSurfaceLeadsBackToTheCentre) {
   for (int i = 0; i < 20; ++i) {
     const SphereView view = DrawView(random_);
     std::vector<Eigen::Vector3d> points;
-    for (const VoxelEvidence& point : NearSurface(view.look, view.camera, view.radius, 0.1))
+    for (const VoxelEvidence& point :
+         NearSurface(view.look, view.camera, {.radius = view.radius, .spacing = 0.1}))
       points.push_back(point.p_W);
     const auto centre = SphereCentre(points, view.radius);
     ASSERT_TRUE(centre);
@@ -117,9 +120,9 @@ TEST_P(ObjectLookProperties, WhatLiesOutsideTheImageIsNotSeen) {
   for (int i = 0; i < 20; ++i) {
     SphereView view = DrawView(random_);
     const Pose& X_WB = view.look.X_WB;
-    const auto whole = NearSurface(view.look, view.camera, view.radius, 0.1);
+    const auto whole = NearSurface(view.look, view.camera, {.radius = view.radius, .spacing = 0.1});
     view.camera.width_px = static_cast<int>(view.look.box.u);  // half of the box is left
-    const auto half = NearSurface(view.look, view.camera, view.radius, 0.1);
+    const auto half = NearSurface(view.look, view.camera, {.radius = view.radius, .spacing = 0.1});
     EXPECT_NEAR(static_cast<double>(half.size()) / static_cast<double>(whole.size()), 0.5, 0.15);
     for (const VoxelEvidence& point : half) {
       const auto pixel = view.camera.Project(view.camera.InCamera(X_WB, point.p_W));

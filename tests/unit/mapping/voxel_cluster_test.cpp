@@ -46,10 +46,12 @@ TEST(VoxelKey, ItsCentreIsWithinAHalfOfEveryPointOfIt) {
   }
 }
 
-TEST(LargestCluster, IsNoneWithoutVoxels) { EXPECT_FALSE(LargestCluster({}, 0.5, kEdge)); }
+TEST(LargestCluster, IsNoneWithoutVoxels) {
+  EXPECT_FALSE(LargestCluster({}, {.radius = 0.5, .spacing = kEdge}));
+}
 
 TEST(LargestCluster, OfOneVoxelIsThatVoxel) {
-  const auto cluster = LargestCluster({{3, -4, 5}}, 0.5, kEdge);
+  const auto cluster = LargestCluster({{3, -4, 5}}, {.radius = 0.5, .spacing = kEdge});
   ASSERT_TRUE(cluster);
   EXPECT_EQ(cluster->voxels, 1);
   EXPECT_TRUE(cluster->centre_W.isApprox(CentreOf({3, -4, 5}, kEdge)));
@@ -58,12 +60,16 @@ TEST(LargestCluster, OfOneVoxelIsThatVoxel) {
 }
 
 TEST(LargestCluster, JoinsVoxelsThatTouchInACornerOnly) {
-  EXPECT_EQ(LargestCluster({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, 0.5, kEdge)->voxels, 3);
-  EXPECT_EQ(LargestCluster({{0, 0, 0}, {2, 2, 2}}, 0.5, kEdge)->voxels, 1);
+  EXPECT_EQ(
+      LargestCluster({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {.radius = 0.5, .spacing = kEdge})->voxels,
+      3);
+  EXPECT_EQ(LargestCluster({{0, 0, 0}, {2, 2, 2}}, {.radius = 0.5, .spacing = kEdge})->voxels, 1);
 }
 
 TEST(LargestCluster, CountsAVoxelThatIsGivenTwiceOnce) {
-  EXPECT_EQ(LargestCluster({{0, 0, 0}, {0, 0, 1}, {0, 0, 0}}, 0.5, kEdge)->voxels, 2);
+  EXPECT_EQ(
+      LargestCluster({{0, 0, 0}, {0, 0, 1}, {0, 0, 0}}, {.radius = 0.5, .spacing = kEdge})->voxels,
+      2);
 }
 
 class LargestClusterProperties : public ::testing::TestWithParam<int> {
@@ -74,7 +80,8 @@ class LargestClusterProperties : public ::testing::TestWithParam<int> {
 TEST_P(LargestClusterProperties, LiesAboutTheCentreOfTheSphereItIsOf) {
   const Eigen::Vector3d centre_W(random_.Normal(10.0), random_.Normal(10.0), random_.Normal(5.0));
   const double radius = random_.Uniform(0.4, 0.8);
-  const auto cluster = LargestCluster(UpperShell(centre_W, radius), radius, kEdge);
+  const auto cluster =
+      LargestCluster(UpperShell(centre_W, radius), {.radius = radius, .spacing = kEdge});
   ASSERT_TRUE(cluster);
   EXPECT_LT((cluster->centre_W - centre_W).norm(), 0.05);
   EXPECT_LT(cluster->deviation_W.z(), cluster->deviation_W.x())
@@ -84,13 +91,13 @@ TEST_P(LargestClusterProperties, LiesAboutTheCentreOfTheSphereItIsOf) {
 TEST_P(LargestClusterProperties, IsNotMovedByASmallerOneOrByTheOrderOfVoxels) {
   const Eigen::Vector3d centre_W(random_.Normal(10.0), random_.Normal(10.0), random_.Normal(5.0));
   std::vector<VoxelKey> voxels = UpperShell(centre_W, 0.5);
-  const auto alone = LargestCluster(voxels, 0.5, kEdge);
+  const auto alone = LargestCluster(voxels, {.radius = 0.5, .spacing = kEdge});
   const auto count = static_cast<std::size_t>(alone->voxels);
   for (const VoxelKey& key : UpperShell(centre_W + Eigen::Vector3d(5.0, 0.0, 0.0), 0.2))
     voxels.push_back(key);
   for (std::size_t i = voxels.size(); i > 1; --i)
     std::swap(voxels[i - 1], voxels[random_.Index(i)]);
-  const auto among = LargestCluster(voxels, 0.5, kEdge);
+  const auto among = LargestCluster(voxels, {.radius = 0.5, .spacing = kEdge});
   ASSERT_TRUE(among);
   EXPECT_EQ(static_cast<std::size_t>(among->voxels), count);
   EXPECT_LT((among->centre_W - alone->centre_W).norm(), 1e-9);
@@ -102,7 +109,8 @@ TEST_P(LargestClusterProperties, MovesWithItsVoxels) {
   std::vector<VoxelKey> moved = voxels;
   for (VoxelKey& key : moved)
     key[0] += 7, key[1] -= 3, key[2] += 11;
-  const auto here = LargestCluster(voxels, 0.5, kEdge), there = LargestCluster(moved, 0.5, kEdge);
+  const auto here = LargestCluster(voxels, {.radius = 0.5, .spacing = kEdge}),
+             there = LargestCluster(moved, {.radius = 0.5, .spacing = kEdge});
   const Eigen::Vector3d shift = kEdge * Eigen::Vector3d(7.0, -3.0, 11.0);
   EXPECT_LT((there->centre_W - here->centre_W - shift).norm(), 1e-6);
   EXPECT_LT((there->deviation_W - here->deviation_W).norm(), 1e-9);

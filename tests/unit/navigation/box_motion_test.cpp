@@ -48,7 +48,7 @@ std::optional<MotionComparison::Ratio> FoundBy(const Flight& flight) {
       show(px->x() + random.Normal(flight.noise_px), px->y() + random.Normal(flight.noise_px));
     if (random.Chance(flight.false_boxes))
       show(random.Uniform(30.0, 610.0), random.Uniform(30.0, 450.0));
-    motion.Add(frame, X, kAltitude, 0.5);
+    motion.Add(frame, X, Meters(kAltitude), 0.5);
   }
   return motion.Disagreement();
 }

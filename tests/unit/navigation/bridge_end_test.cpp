@@ -23,7 +23,7 @@ class BridgeEndTest : public ::testing::Test {
 TEST_F(BridgeEndTest, IsNothingBeforeADropoutHasEnded) {
   check_.Add(60.0, kNorth, {});
   EXPECT_FALSE(check_.end());
-  EXPECT_FALSE(check_.Reopen(60.0, 0.0));
+  EXPECT_FALSE(check_.Reopen(60.0, Radians(0.0)));
 }
 
 TEST_F(BridgeEndTest, AveragesTheVelocitiesOfItsFirstSecondsAlone) {
@@ -52,7 +52,7 @@ TEST_F(BridgeEndTest, ThatProvesFalseBeginsAnewWithTheWaterOfBefore) {
   const WaterModel::State before = water_.state();
   water_.Add(90.0, {0.1, 0.4}, {});
   ASSERT_NE(water_.state(), before);
-  const auto restored = check_.Reopen(93.0, 0.3);
+  const auto restored = check_.Reopen(93.0, Radians(0.3));
   ASSERT_TRUE(restored);
   EXPECT_EQ(restored->state(), before);
   EXPECT_EQ(check_.end()->length, 33.0);
@@ -67,7 +67,7 @@ TEST_F(BridgeEndTest, ThatProvesFalseBeginsAnewWithTheWaterOfBefore) {
 
 TEST_F(BridgeEndTest, IsNotTakenBackLongAfter) {
   check_.Begin({.t = 90.0, .length = 30.0}, water_);
-  EXPECT_FALSE(check_.Reopen(106.0, 0.0));
+  EXPECT_FALSE(check_.Reopen(106.0, Radians(0.0)));
   EXPECT_FALSE(check_.end()->is_open);
 }
 

@@ -37,7 +37,7 @@ class CompassTest : public ::testing::Test {
       }
       const double heading = true_yaw_ + deviation.x() + deviation.y() * std::sin(true_yaw_) +
                              deviation.z() * std::cos(true_yaw_) + random_.Normal(0.1 * kDegree);
-      compass_.Use(5.0 * i, WrapAngle(heading), i);
+      compass_.Use(5.0 * i, Radians(WrapAngle(heading)), i);
       smoother_.Update();
       true_yaw_ += turn;
     }

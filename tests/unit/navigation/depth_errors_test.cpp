@@ -21,7 +21,7 @@ class DepthErrorsTest : public ::testing::Test {
     for (const double end = t_ + seconds; t_ < end; t_ += 0.1, down += 0.1 * sink_mps) {
       navigator_.AddAttitude({.t = t_});
       navigator_.AddVelocity(t_, Eigen::Vector3d(0.0, 0.0, sink_mps));
-      navigator_.AddDepth(t_, down + bias_);
+      navigator_.AddDepth(t_, Meters(down + bias_));
       if (has_fixes && ++steps_ % 10 == 0) navigator_.AddGps(t_, {0.0, 0.0}, 0.4);
       navigator_.Advance(t_);
     }

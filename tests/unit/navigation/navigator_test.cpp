@@ -29,11 +29,11 @@ class NavigatorTest : public ::testing::Test {
       AttitudeEstimate attitude;
       attitude.t = t_, attitude.roll = roll, attitude.pitch = pitch;
       navigator_.AddAttitude(attitude);
-      navigator_.AddDepth(t_, kDown);
+      navigator_.AddDepth(t_, Meters(kDown));
       if (t_ < 1.0) navigator_.AddGps(t_, {0.0, 0.0}, 0.4);
       if (has_lock) {
         navigator_.AddVelocity(t_, Eigen::Vector3d::Zero());
-        navigator_.AddAltitude(t_, DvlAltitude(roll, pitch));
+        navigator_.AddAltitude(t_, Meters(DvlAltitude(roll, pitch)));
       }
       navigator_.Advance(t_);
     }
@@ -68,7 +68,7 @@ TEST_F(NavigatorTest, ACorruptTimeIsRefusedAndCountedAndStopsNothing) {
   leap.t = t_ + 1e6;
   navigator_.AddAttitude(leap);
   navigator_.AddVelocity(t_ + 1e6, Eigen::Vector3d::Zero());
-  navigator_.AddDepth(std::nan(""), kDown);
+  navigator_.AddDepth(std::nan(""), Meters(kDown));
   navigator_.AddFrame({.frame = 1, .exposure = Seconds(t_ + 1e6), .boxes = {}});
   EXPECT_EQ(navigator_.counts().stale_samples, 4);
   const int before = navigator_.node_count();
@@ -121,7 +121,7 @@ TEST(NavigatorMounting, AFixIsOfTheAntennaWhereverThatIs) {
     AttitudeEstimate attitude;
     attitude.t = t, attitude.yaw = 0.5 * std::numbers::pi;
     navigator.AddAttitude(attitude);
-    navigator.AddDepth(t, 0.1);
+    navigator.AddDepth(t, Meters(0.1));
     navigator.AddVelocity(t, Eigen::Vector3d::Zero());
     navigator.AddGps(t, {10.0, 20.0}, 0.4);
     navigator.Advance(t);
@@ -140,7 +140,7 @@ TEST(NavigatorMounting, ATurnOnTheSpotIsNoFalseVelocityHoweverFarOffTheDvlIs) {
     AttitudeEstimate attitude;
     attitude.t = t, attitude.yaw = WrapAngle(kRate * std::max(0.0, t - 3.0));
     navigator.AddAttitude(attitude);
-    navigator.AddDepth(t, 3.0);
+    navigator.AddDepth(t, Meters(3.0));
     navigator.AddVelocity(t, Eigen::Vector3d(0.0, t > 3.0 ? -2.0 * kRate : 0.0, 0.0));
     if (t < 1.0) navigator.AddGps(t, {0.0, 0.0}, 0.4);
     navigator.Advance(t);

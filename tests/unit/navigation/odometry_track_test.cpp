@@ -36,7 +36,7 @@ class OdometryTrackTest : public ::testing::Test {
 
 TEST_F(OdometryTrackTest, FollowsACircleWithTheDvlOffTheOrigin) {
   Drive(0.0, 60.0);
-  const OdometryStep step = track_.Between(0.0, 50.0);
+  const OdometryStep step = track_.Between({0.0, 50.0});
   EXPECT_NEAR((step.motion.head<2>() - OnCircle(50.0)).norm(), 0.0, 2e-3);
   EXPECT_NEAR(step.motion(3), 5.0, 1e-9);
   EXPECT_NEAR(step.path, 25.0 * v_dvl_.norm() / kSpeed, 0.05);
@@ -44,8 +44,8 @@ TEST_F(OdometryTrackTest, FollowsACircleWithTheDvlOffTheOrigin) {
 
 TEST_F(OdometryTrackTest, StepsCompoundToTheWholeWay) {
   Drive(0.0, 20.0);
-  const OdometryStep first = track_.Between(1.0, 7.3), second = track_.Between(7.3, 15.0);
-  const OdometryStep whole = track_.Between(1.0, 15.0);
+  const OdometryStep first = track_.Between({1.0, 7.3}), second = track_.Between({7.3, 15.0});
+  const OdometryStep whole = track_.Between({1.0, 15.0});
   const Eigen::Vector2d turned = Eigen::Rotation2Dd(first.motion(3)) * second.motion.head<2>();
   EXPECT_NEAR((first.motion.head<2>() + turned - whole.motion.head<2>()).norm(), 0.0, 1e-9);
   EXPECT_NEAR(first.motion(3) + second.motion(3), whole.motion(3), 1e-12);
@@ -107,24 +107,24 @@ TEST_F(OdometryTrackTest, CatchesUpWithWhatItDidNotBelieveAtFirst) {
   Drive(20.0, 26.0, false);
   for (int i = 0; i < 30; ++i)  // as the gate says of every velocity meanwhile
     track_.NoteContested(20.0 + 0.2 * i, v_dvl_ + Eigen::Vector3d(0.3, 0.0, 0.0));
-  const OdometryStep before = track_.Between(25.0, 25.9);
+  const OdometryStep before = track_.Between({25.0, 25.9});
   track_.BelieveContested();
-  const OdometryStep after = track_.Between(25.0, 25.9), whole = track_.Between(25.0, 25.95);
+  const OdometryStep after = track_.Between({25.0, 25.9}), whole = track_.Between({25.0, 25.95});
   EXPECT_LT((after.motion - before.motion).norm(), 1e-9);
   const double caught_up = (whole.motion - after.motion).head<2>().norm();
   EXPECT_GT(caught_up, 0.5);  // a curve of 0.3 m/s over six seconds
   EXPECT_GT(whole.variance(0), 0.05 * caught_up * caught_up);
   Drive(26.0, 27.0);
-  EXPECT_LT(track_.Between(26.0, 26.9).motion.head<2>().norm(), 0.5);
+  EXPECT_LT(track_.Between({26.0, 26.9}).motion.head<2>().norm(), 0.5);
 }
 
 TEST_F(OdometryTrackTest, AFalseVelocityThatEndedLeavesNothingBehind) {
   Drive(0.0, 20.0);
   track_.NoteContested(19.8, v_dvl_ + Eigen::Vector3d(1.0, 0.0, 0.0));
-  const OdometryStep before = track_.Between(10.0, 19.9);
+  const OdometryStep before = track_.Between({10.0, 19.9});
   track_.ForgetContested();
   track_.BelieveContested();
-  EXPECT_EQ(before.motion, track_.Between(10.0, 19.9).motion);
+  EXPECT_EQ(before.motion, track_.Between({10.0, 19.9}).motion);
 }
 
 TEST(OdometryTrack, ADvlOfOneHertzHasNoDropout) {
@@ -139,11 +139,11 @@ TEST(OdometryTrack, ADvlOfOneHertzHasNoDropout) {
 
 TEST_F(OdometryTrackTest, BridgesADropoutAndSaysHowUnsureItIs) {
   Drive(0.0, 20.0);
-  const double sure = track_.Between(10.0, 20.0).variance(0);
+  const double sure = track_.Between({10.0, 20.0}).variance(0);
   Drive(20.0, 30.0, false);
-  const OdometryStep step = track_.Between(0.0, 29.0);
+  const OdometryStep step = track_.Between({0.0, 29.0});
   EXPECT_NEAR((step.motion.head<2>() - OnCircle(29.0)).norm(), 0.0, 2e-2);
-  EXPECT_GT(track_.Between(19.0, 29.0).variance(0), 5.0 * sure);
+  EXPECT_GT(track_.Between({19.0, 29.0}).variance(0), 5.0 * sure);
 }
 
 TEST_F(OdometryTrackTest, AVelocityFarFromTheUsualOneIsNotHeldForLong) {
@@ -198,7 +198,7 @@ TEST_F(OdometryTrackTest, SinksAtTheGivenRateInADropout) {
   EXPECT_FALSE(track_.DropoutAge(track_.last_time()));
   track_.SetSinkRate(0.1);
   Drive(20.0, 30.0, false);
-  EXPECT_NEAR(track_.Between(22.0, 29.0).motion(2), 0.7, 1e-6);
+  EXPECT_NEAR(track_.Between({22.0, 29.0}).motion(2), 0.7, 1e-6);
   EXPECT_NEAR(track_.At(29.0).v_B.z(), 0.1, 1e-6);
   EXPECT_NEAR(track_.DropoutAge(29.0).value(), 9.2, 0.05);
 }
@@ -210,21 +210,21 @@ TEST_F(OdometryTrackTest, ChangesOfSpeedBetweenSamplesAreInterpolated) {
     track_.AddAttitude(attitude);
     if (i % 10 == 0) track_.AddVelocity(attitude.t, Eigen::Vector3d(0.1 * attitude.t, 0.0, 0.0));
   }
-  EXPECT_NEAR(track_.Between(0.0, 5.0).motion(0), 0.05 * 25.0, 1e-9);
+  EXPECT_NEAR(track_.Between({0.0, 5.0}).motion(0), 0.05 * 25.0, 1e-9);
 }
 
 TEST_F(OdometryTrackTest, ExtrapolatesToThePresentButNotFar) {
   Drive(0.0, 10.0);
   const double last = track_.last_time();
-  EXPECT_NEAR(track_.Between(last, last + 0.2).path, 0.2 * v_dvl_.norm(), 1e-3);
-  EXPECT_LT(track_.Between(last, last + 100.0).path, 0.2);
+  EXPECT_NEAR(track_.Between({last, last + 0.2}).path, 0.2 * v_dvl_.norm(), 1e-3);
+  EXPECT_LT(track_.Between({last, last + 100.0}).path, 0.2);
 }
 
 TEST_F(OdometryTrackTest, ForgetsOldSamples) {
   Drive(0.0, 20.0);
   track_.DropBefore(15.0);
   EXPECT_GT(track_.first_time(), 14.0);
-  EXPECT_NEAR(track_.Between(16.0, 18.0).path, 2.0 * v_dvl_.norm(), 1e-3);
+  EXPECT_NEAR(track_.Between({16.0, 18.0}).path, 2.0 * v_dvl_.norm(), 1e-3);
 }
 
 }  // namespace

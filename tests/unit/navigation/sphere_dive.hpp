@@ -26,10 +26,10 @@ class SphereDive {
     for (const double end = t_ + seconds; t_ < end; t_ += kStep, ++steps_) {
       speed_ += std::clamp(wanted_speed - speed_, -0.1 * kStep, 0.1 * kStep);
       navigator_.AddAttitude({.t = t_});
-      navigator_.AddDepth(t_, 3.5);
+      navigator_.AddDepth(t_, Meters(3.5));
       if (steps_ % 4 == 0) {
         navigator_.AddVelocity(t_, Eigen::Vector3d(speed_, velocity_error_ * speed_, 0.0));
-        navigator_.AddAltitude(t_, 4.0 - 0.18);
+        navigator_.AddAltitude(t_, Meters(4.0 - 0.18));
       }
       if (has_gps && steps_ % 20 == 0) {
         navigator_.AddGps(t_, {north_, gps_error_}, 0.4);

@@ -94,7 +94,7 @@ TEST(BoxExtent, FindsTheCentreOfWhateverTheBorderCutAtOneEnd) {
 }
 
 TEST(BoxExtent, IsTheSameRuleForAnyImageSize) {
-  const CameraModel small = CameraModel::FromFieldOfView(320, 240, 1.4, 1.0);
+  const CameraModel small = CameraModel::FromFieldOfView(320, 240, {.across = 1.4, .along = 1.0});
   EXPECT_TRUE(IsCut(BoxBetween(250, 50, 319, 90), small));
   EXPECT_FALSE(IsCut(BoxBetween(250, 50, 319, 90), kCamera));
 }

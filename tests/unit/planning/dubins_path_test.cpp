@@ -28,12 +28,13 @@ void ExpectSamePose(const Pose2& a, const Pose2& b, double tolerance = 1e-6) {
 TEST(Advance, TurnsToStarboardWithPositiveCurvature) {
   // Heading north, a quarter turn to starboard of radius 3 ends 3 m north and 3 m east, heading
   // east.
-  ExpectSamePose(Advance({0.0, 0.0, 0.0}, 1.0 / 3.0, 1.5 * std::numbers::pi),
-                 {3.0, 3.0, 0.5 * std::numbers::pi}, 1e-12);
+  ExpectSamePose(
+      Advance({0.0, 0.0, 0.0}, {.curvature = 1.0 / 3.0, .length = 1.5 * std::numbers::pi}),
+      {3.0, 3.0, 0.5 * std::numbers::pi}, 1e-12);
 }
 
 TEST(Advance, IsStraightWithoutCurvature) {
-  ExpectSamePose(Advance({1.0, 2.0, 0.5 * std::numbers::pi}, 0.0, 4.0),
+  ExpectSamePose(Advance({1.0, 2.0, 0.5 * std::numbers::pi}, {.curvature = 0.0, .length = 4.0}),
                  {1.0, 6.0, 0.5 * std::numbers::pi}, 1e-12);
 }
 
@@ -97,7 +98,7 @@ TEST(ShortestDubins, DoesNotLoopAfterARandomLineOrArc) {
     const Pose2 from = RandomPose(random, 20.0);
     const double curvature = (static_cast<double>(random.Index(3)) - 1.0) / kCurveRadius.value();
     const double length = random.Uniform(0.1, 3.0);
-    const Pose2 to = Advance(from, curvature, length);
+    const Pose2 to = Advance(from, {.curvature = curvature, .length = length});
     EXPECT_NEAR(ShortestDubins(from, to, kCurveRadius).length(), length, 1e-5);
   }
 }

@@ -41,11 +41,11 @@ TEST_P(ObjectiveProperties, ALookIsWorthLessTheLaterItComesAndNeverLessThanNothi
   for (int i = 0; i < 50; ++i) {
     const Target target = DrawTarget(random_);
     const double decay = random_.Uniform(20.0, 300.0), at = random_.Uniform(0.0, 400.0);
-    EXPECT_NEAR(target.WorthAt(0.0, decay), target.value, 1e-12);
-    EXPECT_NEAR(target.WorthAt(0.5 * decay, decay), 0.5 * target.value, 1e-12);
-    EXPECT_EQ(target.WorthAt(decay, decay), 0.0);
-    EXPECT_GE(target.WorthAt(at, decay), target.WorthAt(at + 1.0, decay));
-    EXPECT_GE(target.WorthAt(at, decay), 0.0);
+    EXPECT_NEAR(target.WorthAt(0.0, Meters(decay)), target.value, 1e-12);
+    EXPECT_NEAR(target.WorthAt(0.5 * decay, Meters(decay)), 0.5 * target.value, 1e-12);
+    EXPECT_EQ(target.WorthAt(decay, Meters(decay)), 0.0);
+    EXPECT_GE(target.WorthAt(at, Meters(decay)), target.WorthAt(at + 1.0, Meters(decay)));
+    EXPECT_GE(target.WorthAt(at, Meters(decay)), 0.0);
   }
 }
 

@@ -60,7 +60,7 @@ class PathValuerProperties : public ::testing::TestWithParam<int> {
     Pose2 from = path.start();
     for (const PathSegment& segment : path.segments()) {
       sum += valuer.Worth({.from = from, .motion = segment, .before = before});
-      from = Advance(from, segment.curvature, segment.length);
+      from = Advance(from, segment);
       before += segment.length;
     }
     return sum;

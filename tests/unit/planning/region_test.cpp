@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "limpet/planning/region.hpp"
+
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "limpet/core/random.hpp"
-#include "limpet/planning/region.hpp"
 
 namespace limpet {
 namespace {
@@ -48,7 +49,7 @@ TEST(Region, NoticesAnArcThatLeavesAndComesBack) {
   // Heading north-east 1 m from the northern border: the bulge of the arc is outside, its end not.
   const Pose2 from{16.5, 0.0, 0.25 * std::numbers::pi};
   const PathSegment arc{.curvature = 1.0 / 3.0, .length = 3.0 * 0.5 * std::numbers::pi};
-  EXPECT_TRUE(kRegion.Contains(Advance(from, arc.curvature, arc.length)));
+  EXPECT_TRUE(kRegion.Contains(Advance(from, arc)));
   EXPECT_FALSE(kRegion.Contains(from, arc));
 }
 
@@ -98,7 +99,7 @@ TEST(Region, FromARecoverableStateThereIsAlwaysAnAllowedMotion) {
     ASSERT_FALSE(allowed.empty());
     const PathSegment& motion = allowed[random.Index(allowed.size())];
     ASSERT_TRUE(kRegion.Contains(pose, motion));
-    pose = Advance(pose, motion.curvature, motion.length);
+    pose = Advance(pose, motion);
   }
 }
 

@@ -40,9 +40,9 @@ std::vector<int> LevelsAfter(const Ground& ground, const DubinsPath& path) {
   Pose2 from = path.start();
   for (const PathSegment& segment : path.segments()) {
     for (double s = SeenWorkspace::kStep; s < segment.length - 1e-9; s += SeenWorkspace::kStep) {
-      look(Advance(from, segment.curvature, s));
+      look(Advance(from, {.curvature = segment.curvature, .length = s}));
     }
-    from = Advance(from, segment.curvature, segment.length);
+    from = Advance(from, segment);
     look(from);
   }
   return levels;

@@ -52,7 +52,7 @@ TEST(SeenPlanes, CountWhatTheImagesAlongAPathWouldShowOrALittleLess) {
     planes.Look(pose);
     for (const PathSegment& segment : path.segments()) {
       planes.Sweep(pose, segment);
-      pose = Advance(pose, segment.curvature, segment.length);
+      pose = Advance(pose, segment);
     }
     for (const std::size_t plane : {kPlaneBottom, kPlaneTop}) {
       const int shown = before[plane] - planes.unseen()[plane];

@@ -61,7 +61,8 @@ TEST(DvlModel, BeamMeetsAFloatingObjectAndAltitudeStaysThatOfTheSeabed) {
 
 TEST(DvlModel, BeamMeetsAColumnThatStandsThere) {
   const double reach = 2.0 * std::tan(RadiansFromDegrees(25.0)) * std::sqrt(0.5);
-  const UprightBody column = UprightBody::Column({-0.2 + reach + 0.3, reach}, 0.3, 0.0);
+  const UprightBody column =
+      UprightBody::Column({-0.2 + reach + 0.3, reach}, {.radius = 0.3, .top = 0.0});
   DvlModel dvl(Perfect(), {[](const Eigen::Vector2d&) { return kSeabed; }, {}, {column}},
                Random(1));
   const DvlSample sample = *dvl.Sample(Cruising(), Seconds(0.0));

@@ -31,7 +31,8 @@ SonarPing PingOf(const SonarSheet& sheet, std::vector<UprightBody> bodies, const
 TEST(SonarModel, SaysHowFarAColumnAheadIs) {
   SimTruth truth;
   truth.down = 4.0, truth.yaw = RadiansFromDegrees(90.0);
-  const SonarPing ping = PingOf(QuietFan(), {UprightBody::Column({0.0, 9.0}, 0.5, 0.0)}, truth);
+  const SonarPing ping =
+      PingOf(QuietFan(), {UprightBody::Column({0.0, 9.0}, {.radius = 0.5, .top = 0.0})}, truth);
   ASSERT_EQ(ping.ranges.size(), 31U);
   EXPECT_NEAR(ping.ranges[15], 8.5, 1e-3);
   EXPECT_EQ(ping.ranges[14], 0.0);  // 4 deg aside: 0.63 m beside its axis
@@ -41,7 +42,8 @@ TEST(SonarModel, SaysHowFarAColumnAheadIs) {
 TEST(SonarModel, HearsOnTheBearingThatItNames) {
   SimTruth truth;
   truth.down = 4.0;
-  const SonarPing ping = PingOf(QuietFan(), {UprightBody::Column({0.0, 6.0}, 3.0, 0.0)}, truth);
+  const SonarPing ping =
+      PingOf(QuietFan(), {UprightBody::Column({0.0, 6.0}, {.radius = 3.0, .top = 0.0})}, truth);
   double nearest_bearing = -9.0;
   for (std::size_t i = 0; i < ping.ranges.size(); ++i) {
     if (ping.ranges[i] > 0.0) {
@@ -57,9 +59,13 @@ TEST(SonarModel, HearsNothingBeyondItsReachAndNothingOfWhatIsLower) {
   truth.down = 4.0;
   const auto is_silent = [](double range) { return range == 0.0; };
   EXPECT_TRUE(std::ranges::all_of(
-      PingOf(QuietFan(), {UprightBody::Column({16.0, 0.0}, 0.5, 0.0)}, truth).ranges, is_silent));
+      PingOf(QuietFan(), {UprightBody::Column({16.0, 0.0}, {.radius = 0.5, .top = 0.0})}, truth)
+          .ranges,
+      is_silent));
   EXPECT_TRUE(std::ranges::all_of(
-      PingOf(QuietFan(), {UprightBody::Column({9.0, 0.0}, 0.5, 5.0)}, truth).ranges, is_silent));
+      PingOf(QuietFan(), {UprightBody::Column({9.0, 0.0}, {.radius = 0.5, .top = 5.0})}, truth)
+          .ranges,
+      is_silent));
 }
 
 TEST(SonarModel, ALevelFanHearsASeabedThatRisesAhead) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const UprightBody kColumn = UprightBody::Column({10.0, 0.0}, 0.5, 2.0);
+const UprightBody kColumn = UprightBody::Column({10.0, 0.0}, {.radius = 0.5, .top = 2.0});
 const UprightBody kBox = UprightBody::Box({10.0, 0.0}, {1.0, 3.0}, 2.0);
 
 TEST(UprightBody, SoundMeetsAWallHeadOn) {

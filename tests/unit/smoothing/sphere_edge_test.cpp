@@ -65,8 +65,9 @@ class SphereEdges : public ::testing::TestWithParam<int> {
 
   Random random_{static_cast<std::uint64_t>(GetParam()), "sphere edge"};
   const CameraModel camera_ =
-      CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(random_.Uniform(50.0, 100.0)),
-                                   RadiansFromDegrees(random_.Uniform(40.0, 80.0)));
+      CameraModel::FromFieldOfView(640, 480,
+                                   {.across = RadiansFromDegrees(random_.Uniform(50.0, 100.0)),
+                                    .along = RadiansFromDegrees(random_.Uniform(40.0, 80.0))});
 };
 
 TEST_P(SphereEdges, AreWhereTheShownOutlineEndsAlsoInACorner) {

@@ -22,7 +22,7 @@ TEST_F(EchoSounderTest, AnEchoSounderTellsTheAltitudeWhileTheDvlTellsNone) {
   EXPECT_NEAR(navigator_->Estimate(t_).altitude.value(), 6.2 * std::cos(0.2), 1e-5);
   roll_ = 0.0;
   Go(20.0, [&] {
-    navigator_->AddAltitude(t_, 5.0);
+    navigator_->AddAltitude(t_, Meters(5.0));
     Say(0, 6.0);
   });
   const double dvl = 5.0 + Params().odometry.dvl_B.z();

@@ -56,7 +56,7 @@ class SourcesTest : public ::testing::Test {
       yaw_ = yaw;
       navigator_->AddAttitude(
           {.t = t_, .roll = roll_, .yaw = yaw + yaw_drift_ * t_, .sd_yaw = 0.01});
-      navigator_->AddDepth(t_, p_W_.z());
+      navigator_->AddDepth(t_, Meters(p_W_.z()));
       if (steps_ == 0) navigator_->AddGps(t_, p_W_.head<2>(), 0.5);
       if (steps_ % 4 == 0)
         navigator_->AddVelocity(t_, Eigen::Vector3d(kSpeed, 0.0, 0.0) + velocity_error_B_);

@@ -35,7 +35,8 @@ class DetectionChanceProperties : public ::testing::TestWithParam<int> {
 
 TEST_P(DetectionChanceProperties, AChanceIsNeverMoreThanTheBest) {
   for (int i = 0; i < 200; ++i) {
-    const double chance = DetectionChance(model_, DrawRange(), random_.Uniform(0.0, 1.0));
+    const double chance =
+        DetectionChance(model_, {.range = DrawRange(), .share = random_.Uniform(0.0, 1.0)});
     EXPECT_GE(chance, 0.0);
     EXPECT_LE(chance, model_.best);
   }
@@ -45,17 +46,20 @@ TEST_P(DetectionChanceProperties, MoreRangeNeverHelpsAndMoreOfTheObjectNeverHurt
   for (int i = 0; i < 100; ++i) {
     const double near = DrawRange(), far = near + random_.Uniform(0.0, 5.0);
     const double little = random_.Uniform(0.0, 1.0), much = random_.Uniform(little, 1.0);
-    EXPECT_GE(DetectionChance(model_, near, much), DetectionChance(model_, far, much));
-    EXPECT_GE(DetectionChance(model_, near, much), DetectionChance(model_, near, little));
+    EXPECT_GE(DetectionChance(model_, {.range = near, .share = much}),
+              DetectionChance(model_, {.range = far, .share = much}));
+    EXPECT_GE(DetectionChance(model_, {.range = near, .share = much}),
+              DetectionChance(model_, {.range = near, .share = little}));
   }
 }
 
 TEST_P(DetectionChanceProperties, AtTheHalfRangeHalfIsLeftAndTheFallIsSymmetricAboutIt) {
   const double half = HalfRange(model_);
-  EXPECT_NEAR(DetectionChance(model_, half, 1.0), 0.5 * model_.best, 1e-12);
+  EXPECT_NEAR(DetectionChance(model_, {.range = half, .share = 1.0}), 0.5 * model_.best, 1e-12);
   for (int i = 0; i < 20; ++i) {
     const double off = random_.Uniform(0.0, half);
-    EXPECT_NEAR(DetectionChance(model_, half - off, 1.0) + DetectionChance(model_, half + off, 1.0),
+    EXPECT_NEAR(DetectionChance(model_, {.range = half - off, .share = 1.0}) +
+                    DetectionChance(model_, {.range = half + off, .share = 1.0}),
                 model_.best, 1e-9);
   }
 }
@@ -65,31 +69,32 @@ TEST_P(DetectionChanceProperties, TwiceTheVisibilityShowsTwiceAsFar) {
   clearer.visibility = 2.0 * model_.visibility;
   for (int i = 0; i < 50; ++i) {
     const double range = DrawRange(), share = random_.Uniform(0.0, 1.0);
-    EXPECT_NEAR(DetectionChance(clearer, 2.0 * range, share), DetectionChance(model_, range, share),
-                1e-12);
+    EXPECT_NEAR(DetectionChance(clearer, {.range = 2.0 * range, .share = share}),
+                DetectionChance(model_, {.range = range, .share = share}), 1e-12);
   }
 }
 
 TEST_P(DetectionChanceProperties, TheBorderMattersBetweenItsTwoSharesOnly) {
-  const double range = DrawRange(), open = DetectionChance(model_, range, 1.0);
-  EXPECT_EQ(DetectionChance(model_, range, model_.share_none), 0.0);
-  EXPECT_EQ(DetectionChance(model_, range, 0.5 * model_.share_none), 0.0);
-  EXPECT_NEAR(DetectionChance(model_, range, model_.share_full), open, 1e-12);
+  const double range = DrawRange(), open = DetectionChance(model_, {.range = range, .share = 1.0});
+  EXPECT_EQ(DetectionChance(model_, {.range = range, .share = model_.share_none}), 0.0);
+  EXPECT_EQ(DetectionChance(model_, {.range = range, .share = 0.5 * model_.share_none}), 0.0);
+  EXPECT_NEAR(DetectionChance(model_, {.range = range, .share = model_.share_full}), open, 1e-12);
   const double middle = 0.5 * (model_.share_none + model_.share_full);
-  EXPECT_NEAR(DetectionChance(model_, range, middle), 0.5 * open, 1e-9);
+  EXPECT_NEAR(DetectionChance(model_, {.range = range, .share = middle}), 0.5 * open, 1e-9);
   // Between them it rises smoothly: slowly at first, and from three quarters on hardly any more.
   const double quarter = model_.share_none + 0.25 * (model_.share_full - model_.share_none);
-  EXPECT_NEAR(DetectionChance(model_, range, quarter), 5.0 / 32.0 * open, 1e-9);
+  EXPECT_NEAR(DetectionChance(model_, {.range = range, .share = quarter}), 5.0 / 32.0 * open, 1e-9);
 }
 
 TEST_P(DetectionChanceProperties, TheChancesOfAllWatersAreThoseOfEachWater) {
   for (int i = 0; i < 20; ++i) {
     const double range = DrawRange(), share = random_.Uniform(0.0, 1.0);
-    const PerVisibility all = DetectionChances(model_, range, share, VisibilityBelief::Grid());
+    const PerVisibility all =
+        DetectionChances(model_, {.range = range, .share = share}, VisibilityBelief::Grid());
     for (int k = 0; k < PerVisibility::kCount; ++k) {
       DetectionModel in_it = model_;
       in_it.visibility = Meters(VisibilityBelief::Grid()(k));
-      EXPECT_NEAR(all(k), DetectionChance(in_it, range, share), 1e-12);
+      EXPECT_NEAR(all(k), DetectionChance(in_it, {.range = range, .share = share}), 1e-12);
     }
   }
 }

@@ -16,8 +16,9 @@ namespace {
 LookModel DrawLookModel(Random& random) {
   LookModel model;
   model.camera =
-      CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(random.Uniform(50.0, 95.0)),
-                                   RadiansFromDegrees(random.Uniform(40.0, 75.0)));
+      CameraModel::FromFieldOfView(640, 480,
+                                   {.across = RadiansFromDegrees(random.Uniform(50.0, 95.0)),
+                                    .along = RadiansFromDegrees(random.Uniform(40.0, 75.0))});
   model.detection.visibility = Meters(random.Uniform(3.0, 15.0));
   model.detection.best = random.Uniform(0.8, 0.99);
   model.object_radius = random.Uniform(0.2, 0.8);
@@ -42,7 +43,7 @@ TEST_P(LookProperties, APlaceInItsWindowIsLookedAtFromAnyHeading) {
         {random_.Normal(20.0), random_.Normal(20.0), 3.0}, 0.0, 0.0, random_.Uniform(-3.1, 3.1)};
     const Eigen::Vector3d p_B(random_.Uniform(-0.99, 0.99) * window->half_along,
                               random_.Uniform(-0.99, 0.99) * window->half_across, drop);
-    EXPECT_TRUE(window->Contains(p_B.x(), p_B.y()));
+    EXPECT_TRUE(window->Contains(p_B.head<2>()));
     EXPECT_TRUE(IsLookFrom(X_WB, X_WB.p_WB + RotationOf(X_WB) * p_B));
   }
 }

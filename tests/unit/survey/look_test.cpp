@@ -59,7 +59,7 @@ TEST(LookModel, SurvivesItsMessage) {
   LookModel model;
   model.detection.visibility = Meters(5.0);
   model.object_radius = 0.3;
-  model.camera = CameraModel::FromFieldOfView(640, 480, 1.0, 0.8);
+  model.camera = CameraModel::FromFieldOfView(640, 480, {.across = 1.0, .along = 0.8});
   const auto decoded = TopicCodec<MapLook>::Decode(TopicCodec<MapLook>::Encode(ToMapLook(model)));
   ASSERT_TRUE(decoded);
   const auto sent = LookWindowAbove(model, {.drop = 2.0, .slack = 0.1});

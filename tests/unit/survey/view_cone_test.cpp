@@ -111,11 +111,12 @@ TEST(DetectionChanceProperties, IsAChanceThatFallsWithRangeAndGrowsWithTheShareS
     model.best = random.Uniform(0.1, 0.99);
     model.visibility = Meters(random.Uniform(2.0, 12.0));
     const double range = random.Uniform(0.0, 15.0), share = random.Uniform(0.0, 1.0);
-    const double chance = DetectionChance(model, range, share);
+    const double chance = DetectionChance(model, {.range = range, .share = share});
     EXPECT_GE(chance, 0.0);
     EXPECT_LE(chance, model.best + 1e-12);
-    EXPECT_LE(DetectionChance(model, range + 0.5, share), chance + 1e-12);
-    EXPECT_GE(DetectionChance(model, range, std::min(1.0, share + 0.1)), chance - 1e-12);
+    EXPECT_LE(DetectionChance(model, {.range = range + 0.5, .share = share}), chance + 1e-12);
+    EXPECT_GE(DetectionChance(model, {.range = range, .share = std::min(1.0, share + 0.1)}),
+              chance - 1e-12);
   }
 }
 

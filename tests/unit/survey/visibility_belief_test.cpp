@@ -50,7 +50,8 @@ WaterVisibility EstimateIn(double visibility, double reach_factor, double fade_f
     const double range = random.Uniform(0.2, 2.0) * visibility * reach_factor;
     const double x = (range - 1.1 * reach_factor * visibility) / (0.06 * fade_factor * visibility);
     const bool is_seen = random.Chance(0.95 / (1.0 + std::exp(x)));
-    const PerVisibility detects = DetectionChances(model, range, 1.0, VisibilityBelief::Grid());
+    const PerVisibility detects =
+        DetectionChances(model, {.range = range, .share = 1.0}, VisibilityBelief::Grid());
     belief.Add(detects.unaryExpr([is_seen](double p) {
       const double mixed = 0.9 * p + 0.1 * 0.05;
       return is_seen ? std::log(mixed) : std::log1p(-mixed);

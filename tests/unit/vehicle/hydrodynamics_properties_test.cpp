@@ -56,8 +56,9 @@ TEST_P(HydrodynamicsProperties, ItFloatsPartlyOutOfTheWater) {
   const double depth = FloatingDepth(hydro_);
   EXPECT_LT(depth, hydro_.half_height_m);
   EXPECT_GT(depth, -hydro_.half_height_m);
-  EXPECT_NEAR(hydro_.buoyancy_n * SubmergedShare(depth, hydro_.half_height_m), hydro_.weight_n,
-              1e-6 * hydro_.weight_n);
+  EXPECT_NEAR(
+      hydro_.buoyancy_n * SubmergedShare({.depth = depth, .half_height = hydro_.half_height_m}),
+      hydro_.weight_n, 1e-6 * hydro_.weight_n);
 }
 
 TEST_P(HydrodynamicsProperties, DragIsOddAndGrowsFasterThanSpeed) {
@@ -93,7 +94,8 @@ TEST_P(HydrodynamicsProperties, TurningMovesTheWaterThatTheSpheroidMoves) {
   bare.frame_added_mass = 0.0, bare.inertia_factor = 1.0;
   const Hydrodynamics hydro = DeriveHydrodynamics(bare);
   const double a = 0.5 * bare.length_m, b = 0.5 * bare.width_m;
-  const SpheroidAddedMass k = LambFactors(2.0 * a, 2.0 * std::sqrt(b * hydro.half_height_m));
+  const SpheroidAddedMass k =
+      LambFactors({.length = 2.0 * a, .diameter = 2.0 * std::sqrt(b * hydro.half_height_m)});
   const double displaced = hydro.buoyancy_n / bare.gravity;
   const double shape = (a * a + b * b) / 5.0;
   EXPECT_NEAR(hydro.mass_matrix(kYaw, kYaw), shape * (bare.mass + k.rotation * displaced), 1e-9);
@@ -122,9 +124,9 @@ TEST_P(HydrodynamicsProperties, AnEverywhereTwiceAsLargeHullHasFourTimesTheDrag)
 INSTANTIATE_TEST_SUITE_P(Hulls, HydrodynamicsProperties, ::testing::Range(1, 11));
 
 TEST(LambFactors, OfEverMoreSlenderBodiesGoToThoseOfACylinder) {
-  SpheroidAddedMass before = LambFactors(1.01, 1.0);
+  SpheroidAddedMass before = LambFactors({.length = 1.01, .diameter = 1.0});
   for (const double length : {1.5, 2.0, 4.0, 8.0, 30.0}) {
-    const SpheroidAddedMass now = LambFactors(length, 1.0);
+    const SpheroidAddedMass now = LambFactors({.length = length, .diameter = 1.0});
     EXPECT_LT(now.axial, before.axial);
     EXPECT_GT(now.transverse, before.transverse);
     EXPECT_GT(now.rotation, before.rotation);
@@ -139,8 +141,9 @@ TEST(LambFactors, DependOnTheShapeAlone) {
   for (int i = 0; i < 50; ++i) {
     const double diameter = random.Uniform(0.1, 2.0), length = diameter * random.Uniform(1.05, 6.0);
     const double scale = random.Uniform(0.1, 10.0);
-    const SpheroidAddedMass one = LambFactors(length, diameter);
-    const SpheroidAddedMass other = LambFactors(scale * length, scale * diameter);
+    const SpheroidAddedMass one = LambFactors({.length = length, .diameter = diameter});
+    const SpheroidAddedMass other =
+        LambFactors({.length = scale * length, .diameter = scale * diameter});
     EXPECT_NEAR(one.axial, other.axial, 1e-9);
     EXPECT_NEAR(one.transverse, other.transverse, 1e-9);
     EXPECT_NEAR(one.rotation, other.rotation, 1e-9);
@@ -151,12 +154,16 @@ TEST(SubmergedShare, IsSymmetricMonotonicAndSmooth) {
   Random random(4);
   for (int i = 0; i < 200; ++i) {
     const double half = random.Uniform(0.05, 1.0), depth = random.Uniform(-1.5, 1.5) * half;
-    EXPECT_NEAR(SubmergedShare(depth, half) + SubmergedShare(-depth, half), 1.0, 1e-12);
-    EXPECT_LE(SubmergedShare(depth, half), SubmergedShare(depth + 0.1 * half, half));
+    EXPECT_NEAR(SubmergedShare({.depth = depth, .half_height = half}) +
+                    SubmergedShare({.depth = -depth, .half_height = half}),
+                1.0, 1e-12);
+    EXPECT_LE(SubmergedShare({.depth = depth, .half_height = half}),
+              SubmergedShare({.depth = depth + 0.1 * half, .half_height = half}));
     // Its slope is the cross-section there: nothing at the poles.
     constexpr double kStep = 1e-6;
-    const double slope =
-        (SubmergedShare(depth + kStep, half) - SubmergedShare(depth - kStep, half)) / (2.0 * kStep);
+    const double slope = (SubmergedShare({.depth = depth + kStep, .half_height = half}) -
+                          SubmergedShare({.depth = depth - kStep, .half_height = half})) /
+                         (2.0 * kStep);
     const double z = std::clamp(depth / half, -1.0, 1.0);
     EXPECT_NEAR(slope, 0.75 * (1.0 - z * z) / half, 1e-4 / half);
   }

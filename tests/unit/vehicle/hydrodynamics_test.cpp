@@ -7,28 +7,30 @@ namespace limpet {
 namespace {
 
 TEST(LambFactors, ApproachASphereWhoseAddedMassIsHalfItsDisplacement) {
-  const SpheroidAddedMass k = LambFactors(1.0, 0.999);
+  const SpheroidAddedMass k = LambFactors({.length = 1.0, .diameter = 0.999});
   EXPECT_NEAR(k.axial, 0.5, 1e-3);
   EXPECT_NEAR(k.transverse, 0.5, 1e-3);
 }
 
 TEST(LambFactors, MatchTheTableForASpheroidTwiceAsLongAsThick) {
-  const SpheroidAddedMass k = LambFactors(2.0, 1.0);  // Lamb 1932, article 115
+  const SpheroidAddedMass k =
+      LambFactors({.length = 2.0, .diameter = 1.0});  // Lamb 1932, article 115
   EXPECT_NEAR(k.axial, 0.209, 3e-3);
   EXPECT_NEAR(k.transverse, 0.702, 3e-3);
   EXPECT_NEAR(k.rotation, 0.240, 3e-3);
 }
 
 TEST(SubmergedShare, GoesFromNothingToAllWithoutAKink) {
-  EXPECT_DOUBLE_EQ(SubmergedShare(-0.2, 0.15), 0.0);
-  EXPECT_DOUBLE_EQ(SubmergedShare(0.0, 0.15), 0.5);
-  EXPECT_DOUBLE_EQ(SubmergedShare(0.2, 0.15), 1.0);
-  EXPECT_NEAR(SubmergedShare(0.15 - 1e-4, 0.15), 1.0, 1e-6);
+  EXPECT_DOUBLE_EQ(SubmergedShare({.depth = -0.2, .half_height = 0.15}), 0.0);
+  EXPECT_DOUBLE_EQ(SubmergedShare({.depth = 0.0, .half_height = 0.15}), 0.5);
+  EXPECT_DOUBLE_EQ(SubmergedShare({.depth = 0.2, .half_height = 0.15}), 1.0);
+  EXPECT_NEAR(SubmergedShare({.depth = 0.15 - 1e-4, .half_height = 0.15}), 1.0, 1e-6);
 }
 
 TEST(FloatingDepth, BalancesWeightAndBuoyancy) {
   const Hydrodynamics hydro = DeriveHydrodynamics(VehicleParams{});
-  const double share = SubmergedShare(FloatingDepth(hydro), hydro.half_height_m);
+  const double share =
+      SubmergedShare({.depth = FloatingDepth(hydro), .half_height = hydro.half_height_m});
   EXPECT_NEAR(hydro.buoyancy_n * share, hydro.weight_n, 1e-6);
 }
 

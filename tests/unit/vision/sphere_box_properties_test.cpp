@@ -36,15 +36,15 @@ TEST(SphereChords, EndWhereRaysTouchTheSphere) {
   for (int run = 0; run < 300; ++run) {
     const SeenSphere sphere = DrawSphere(random);
     const double v = random.Uniform(-50.0, 530.0);
-    const auto chord = ChordOfSphere(camera, sphere.p_C, sphere.radius, v);
+    const auto chord = ChordOfSphere(camera, v, sphere.p_C, sphere.radius);
     if (!chord) continue;
     ++chords;
     EXPECT_LT(chord->left, chord->right);
     for (const double u : {chord->left, chord->right}) {
-      EXPECT_NEAR(DistanceToRay(sphere.p_C, camera.RayOf(u, v)), sphere.radius, 1e-6);
+      EXPECT_NEAR(DistanceToRay(sphere.p_C, camera.RayOf({u, v})), sphere.radius, 1e-6);
     }
     const double middle = 0.5 * (chord->left + chord->right);
-    EXPECT_LT(DistanceToRay(sphere.p_C, camera.RayOf(middle, v)), sphere.radius);
+    EXPECT_LT(DistanceToRay(sphere.p_C, camera.RayOf({middle, v})), sphere.radius);
   }
   EXPECT_GT(chords, 30);
 }
@@ -60,7 +60,7 @@ TEST(SphereChords, AreThereExactlyInTheRowsOfTheOutline) {
     for (double share = -0.2; share <= 1.2; share += 0.05) {
       if (std::abs(share) < 0.01 || std::abs(share - 1.0) < 0.01) continue;  // at the very edge
       const double v = outline.top + share * outline.height();
-      const auto chord = ChordOfSphere(camera, sphere.p_C, sphere.radius, v);
+      const auto chord = ChordOfSphere(camera, v, sphere.p_C, sphere.radius);
       EXPECT_EQ(chord.has_value(), share > 0.0 && share < 1.0) << share;
       if (chord) {
         EXPECT_GE(chord->left, outline.left - 1e-6);
@@ -98,7 +98,7 @@ TEST(SphereImages, ShowTheShareThatCountingRowsFinds) {
     double whole = 0.0, inside = 0.0;
     const double step = image->outline.height() / 800.0;
     for (double v = image->outline.top + 0.5 * step; v < image->outline.bottom; v += step) {
-      const auto chord = ChordOfSphere(camera, sphere.p_C, sphere.radius, v);
+      const auto chord = ChordOfSphere(camera, v, sphere.p_C, sphere.radius);
       if (!chord) continue;
       whole += chord->right - chord->left;
       const double cut = std::min(chord->right, 640.0) - std::max(chord->left, 0.0);

@@ -66,8 +66,8 @@ TEST(ImageOfSphere, HalfOutsideIsHalfVisible) {
 
 TEST(ImageOfSphere, CutAtACornerItsVisibleBoxIsSmallerThanTheClippedOutline) {
   // A long lens, so that the silhouette is nearly a circle; its centre is outside both borders.
-  const CameraModel camera =
-      CameraModel::FromFieldOfView(640, 480, RadiansFromDegrees(20.0), RadiansFromDegrees(15.0));
+  const CameraModel camera = CameraModel::FromFieldOfView(
+      640, 480, {.across = RadiansFromDegrees(20.0), .along = RadiansFromDegrees(15.0)});
   const Eigen::Vector3d p_C(-20.0 * camera.half_across() - 0.25, -20.0 * camera.half_along() - 0.25,
                             20.0);
   const auto image = ImageOfSphere(camera, p_C, 0.5);

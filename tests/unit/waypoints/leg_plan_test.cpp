@@ -24,14 +24,14 @@ LegPlan NorthLeg(double length) {
 TEST(LegPlan, IsLaidAboutItsMiddle) {
   LegPlan plan;
   EXPECT_FALSE(plan.is_set());
-  plan.Lay({.x = 10.0, .y = 20.0}, 90.0 * kDegree, 40.0);
+  plan.Lay({.x = 10.0, .y = 20.0}, {.bearing = 90.0 * kDegree, .distance = 40.0});
   ASSERT_TRUE(plan.is_set());
   EXPECT_NEAR(plan.end(0).x, -10.0, 1e-9);
   EXPECT_NEAR(plan.end(1).x, 30.0, 1e-9);
   EXPECT_NEAR(plan.center().y, 20.0, 1e-9);
   EXPECT_NEAR(plan.bearing(), 90.0 * kDegree, 1e-9);
   EXPECT_NEAR(plan.length(), 40.0, 1e-9);
-  plan.Lay({}, 0.0, -5.0);
+  plan.Lay({}, {.bearing = 0.0, .distance = -5.0});
   EXPECT_NEAR(plan.length(), 1.0, 1e-9) << "never without a length";
 }
 

@@ -27,7 +27,9 @@ ConvexPolygon AnyPolygon(Random& random) {
 double Walked(const ConvexPolygon& polygon, const MapPoint& from, double bearing, double length) {
   double least = 1e9;
   for (double along = 0.0; along <= length; along += 0.01) {
-    least = std::min(least, std::max(0.0, polygon.Outside(Project(from, bearing, along))));
+    least = std::min(
+        least,
+        std::max(0.0, polygon.Outside(Project(from, {.bearing = bearing, .distance = along}))));
   }
   return least;
 }
