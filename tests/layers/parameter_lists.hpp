@@ -9,8 +9,9 @@
 
 namespace limpet::layers {
 
-/// One complaint per function of the product that takes three numbers in a row which all are plain
-/// doubles: `path: Name(parameters)`. A struct or a unit says which is which.
+/// One complaint per function of the product that takes several numbers in a row which all are
+/// plain doubles: two of one that a header declares, three of one that a file keeps to itself:
+/// `path: Name(parameters)`. A struct, a vector or a unit says which is which.
 [[nodiscard]] std::vector<std::string> InterchangeableNumbers(const std::vector<SourceFile>& files);
 
 }  // namespace limpet::layers

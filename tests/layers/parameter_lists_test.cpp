@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tests/layers/parameter_lists.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,32 +19,60 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST(ParameterLists, OfNoFunctionLetACallerExchangeThreeNumbers) {
-  EXPECT_THAT(InterchangeableNumbers(TreeFiles()), IsEmpty());
+/// A function whose numbers nobody exchanges, and why.
+struct KnownByHeart {
+  std::string_view function, why;
+};
+
+constexpr std::array kKnownByHeart = {
+    KnownByHeart{"RotationFromRollPitchYaw", "the name says the order"},
+    KnownByHeart{"Mix", "from, to, and the share of the way"},
+    KnownByHeart{"Worth", "distances that grow"},
+    KnownByHeart{"LogSum", "a sum is the same either way round"},
+    KnownByHeart{"Uniform", "the lower bound comes first"},
+    KnownByHeart{"NumberBetween", "the lower bound comes first"},
+    KnownByHeart{"NormalShareBelow", "of a distribution: where, then its parameter"},
+    KnownByHeart{"StudentProbability", "of a distribution: where, then its parameter"},
+    KnownByHeart{"StudentQuantile", "of a distribution: where, then its parameter"},
+    KnownByHeart{"SoftPenetration", "the argument, then what rounds the function"},
+};
+
+TEST(ParameterLists, OfNoFunctionLetACallerExchangeNumbers) {
+  std::vector<std::string> complaints = InterchangeableNumbers(TreeFiles());
+  for (const auto& [function, why] : kKnownByHeart) {
+    EXPECT_GE(std::erase_if(complaints,
+                            [name = fmt::format(": {}(", function)](const std::string& complaint) {
+                              return complaint.find(name) != std::string::npos;
+                            }),
+              1U)
+        << function << " (" << why << ") need not be excused";
+  }
+  EXPECT_THAT(complaints, IsEmpty());
 }
 
-TEST(ParameterLists, OfThreeNumbersInARowAreComplainedAbout) {
-  const SourceFile wide{
-      "wide.hpp",
-      "/// Of a circle.\nvoid Draw(const Canvas& canvas, double north,\n"
-      "          double east,  // of its centre\n          double radius = 1.0);"};
+TEST(ParameterLists, OfTwoNumbersInARowAreComplainedAboutInAHeader) {
+  const SourceFile wide{"wide.hpp",
+                        "/// Of a circle.\nvoid Draw(const Canvas& canvas, double north,\n"
+                        "          double east = 1.0);  // of its centre\n"};
   EXPECT_THAT(InterchangeableNumbers({wide}),
-              ElementsAre("wide.hpp: Draw(const Canvas& canvas, double north, double east, double "
-                          "radius = 1.0)"));
+              ElementsAre("wide.hpp: Draw(const Canvas& canvas, double north, double east = 1.0)"));
 }
 
-TEST(ParameterLists, OfWhatAFileKeepsToItselfCountToo) {
-  const SourceFile source{"local.cpp", "double Blend(double a, double b, double share) {"};
+TEST(ParameterLists, OfThreeAreComplainedAboutInWhatAFileKeepsToItself) {
+  const SourceFile source{"local.cpp",
+                          "double Blend(double a, double b, double share) {\n"
+                          "double Half(double a, double b) {"};
   EXPECT_THAT(InterchangeableNumbers({source}),
               ElementsAre("local.cpp: Blend(double a, double b, double share)"));
 }
 
-TEST(ParameterLists, OfPairsUnitsAndTestsAreLeftAlone) {
-  const SourceFile pairs{"pairs.hpp",
-                         "double At(double north, double east, Meters down, double scale);\n"
-                         "Matrix RotationFromRollPitchYaw(double roll, double pitch, double yaw);"};
-  const SourceFile test{"tests/a.cpp", "double Blend(double a, double b, double share) {"};
-  EXPECT_THAT(InterchangeableNumbers({pairs, test}), IsEmpty());
+TEST(ParameterLists, OfUnitsVectorsAndTestsAreLeftAlone) {
+  const SourceFile kinds{"kinds.hpp",
+                         "double At(double north, Meters down, double scale);\n"
+                         "double Depth(const Eigen::Vector2d& p_W, double above);\n"
+                         "void Turn(double by, bool is_port, int times);"};
+  const SourceFile test{"tests/a.hpp", "double Blend(double a, double b, double share);"};
+  EXPECT_THAT(InterchangeableNumbers({kinds, test}), IsEmpty());
 }
 
 }  // namespace
