@@ -102,14 +102,15 @@ void LandmarkReview::SplitOff(std::vector<Observation> outliers, const TrackedOb
 }
 
 bool LandmarkReview::AreLikelyOne(const TrackedObject& a, const TrackedObject& b,
-                                  const Eigen::Matrix3d& difference) const {
+                                  const Eigen::Matrix3d& difference_W) const {
   const Eigen::Vector3d d = smoother_.BorderAt(a.slot()) - smoother_.BorderAt(b.slot());
-  const double distance2 = d.dot(difference.llt().solve(d));
+  const double distance2 = d.dot(difference_W.llt().solve(d));
   const double one = NormalCost({.distance2 = distance2,
-                                 .log_determinant = std::log(difference.determinant()),
+                                 .log_determinant = std::log(difference_W.determinant()),
                                  .dimensions = 3}) +
                      TogetherCost(a, b) + ClassCost(a, b, params_.gate.confused_class_share);
-  return one < NewObjectCost(tracks_, params_) + OverlapCost(d, difference, params_.model.radius_m);
+  return one <
+         NewObjectCost(tracks_, params_) + OverlapCost(d, difference_W, params_.model.radius_m);
 }
 
 bool LandmarkReview::AreOneThatMoves(const TrackedObject& a, const TrackedObject& b) const {

@@ -36,7 +36,7 @@ class LandmarkReview {
   void SplitOff(std::vector<Observation> outliers, const TrackedObject& from,
                 std::vector<TrackedObject>& split);
   [[nodiscard]] bool AreLikelyOne(const TrackedObject& a, const TrackedObject& b,
-                                  const Eigen::Matrix3d& difference) const;
+                                  const Eigen::Matrix3d& difference_W) const;
 
   Smoother& smoother_;
   const CameraMount& mount_;

@@ -115,10 +115,10 @@ bool AttitudeFilter::AddInertial(const InertialInput& input) {
   return true;
 }
 
-void AttitudeFilter::Predict(const Eigen::Vector3d& rate, double dt) {
+void AttitudeFilter::Predict(const Eigen::Vector3d& rate_B, double dt) {
   const double cr = std::cos(x_(0)), sr = std::sin(x_(0));
   const double cp = std::max(std::cos(x_(1)), 0.05), tp = std::sin(x_(1)) / cp;
-  const double p = rate.x() - x_(2), q = rate.y() - x_(3), r = rate.z();
+  const double p = rate_B.x() - x_(2), q = rate_B.y() - x_(3), r = rate_B.z();
   yaw_rate_ = (q * sr + r * cr) / cp;
   yaw_integral_ += yaw_rate_ * dt;
 

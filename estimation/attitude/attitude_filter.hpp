@@ -70,7 +70,7 @@ class AttitudeFilter {
   /// Verdict on a sample that is in order: whether it is an outlier, and whether its heading is.
   [[nodiscard]] InertialGate::Verdict Judge(const InertialInput& input);
   void Start(const InertialInput& input);
-  void Predict(const Eigen::Vector3d& rate, double dt);
+  void Predict(const Eigen::Vector3d& rate_B, double dt);
   void CorrectTilt(const InertialInput& input, double yaw_body_rate);
   /// `gap`: since the sample before.
   void AlignHeading(const InertialInput& input, double gap);

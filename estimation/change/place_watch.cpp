@@ -89,9 +89,9 @@ bool Foresight::Explains(const Box& box, const CameraModel& camera) const {
   // An object cut by the image's border has its box's centre farther inside than its own, by at
   // most its radius.
   const Eigen::Vector2d centre(box.u, box.v);
-  const Eigen::Vector2d inside(std::clamp(pixel.x(), 0.0, static_cast<double>(camera.width_px)),
-                               std::clamp(pixel.y(), 0.0, static_cast<double>(camera.height_px)));
-  return (centre - inside).norm() <= gate && (centre - pixel).norm() <= gate + radius;
+  const Eigen::Vector2d inside(std::clamp(at_px.x(), 0.0, static_cast<double>(camera.width_px)),
+                               std::clamp(at_px.y(), 0.0, static_cast<double>(camera.height_px)));
+  return (centre - inside).norm() <= gate && (centre - at_px).norm() <= gate + radius;
 }
 
 std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
@@ -108,7 +108,7 @@ std::optional<Foresight> Foresee(const ObjectEstimate& place, const Pose& X_WB,
   const double radius = place.RadiusOr(model.look.object_radius);
   const double size = 2.0 * kSizeShare * radius;
   const double sigma = std::hypot(kPixelSigma, std::hypot(position, size) * pixels_per_metre);
-  return Foresight{.pixel = *pixel,
+  return Foresight{.at_px = *pixel,
                    .radius = radius * pixels_per_metre,
                    .gate = kGateSigmas * sigma,
                    .size_slack = SizeSlackOf(place)};

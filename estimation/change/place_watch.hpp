@@ -25,9 +25,9 @@ struct WatchModel {
 
 /// Where in a frame the object of an uncertain place is expected to appear.
 struct Foresight {
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  Eigen::Vector2d at_px = Eigen::Vector2d::Zero();
   double radius = 0.0;  ///< of the object's image [px]
-  double gate = 0.0;    ///< how far from `pixel` its box would be centred [px]
+  double gate = 0.0;    ///< how far from `at_px` its box would be centred [px]
   /// By what share its image may be larger or smaller, for what is unknown of the object's size.
   double size_slack = 1.0;
   /// True if the box could be that of an object here.

@@ -106,21 +106,21 @@ std::vector<VoxelEvidence> NearSurface(const ObjectLook& look, const CameraModel
   return evidence;
 }
 
-std::optional<Eigen::Vector3d> SphereCentre(const std::vector<Eigen::Vector3d>& points,
+std::optional<Eigen::Vector3d> SphereCentre(const std::vector<Eigen::Vector3d>& points_W,
                                             double radius) {
-  if (points.size() < 4) {
+  if (points_W.size() < 4) {
     return std::nullopt;
   }
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& point : points) {
-    mean += point / static_cast<double>(points.size());
+  for (const Eigen::Vector3d& point : points_W) {
+    mean += point / static_cast<double>(points_W.size());
   }
   // Seen from above, the surface lies over its centre; NED counts downwards.
   Eigen::Vector3d centre = mean + Eigen::Vector3d(0.0, 0.0, 0.5 * radius);
   for (int iteration = 0; iteration < 20; ++iteration) {
     Eigen::Matrix3d information = 1e-6 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d vector = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& point : points) {
+    for (const Eigen::Vector3d& point : points_W) {
       const Eigen::Vector3d outward = point - centre;
       const double distance = std::max(outward.norm(), 1e-9);
       const Eigen::Vector3d J = -outward / distance;

@@ -54,6 +54,6 @@ struct ObjectLook {
 /// Centre of the sphere of `radius` whose surface the points sample from above: least squares on
 /// the distances. Nothing for fewer than four points.
 [[nodiscard]] std::optional<Eigen::Vector3d> SphereCentre(
-    const std::vector<Eigen::Vector3d>& points, double radius);
+    const std::vector<Eigen::Vector3d>& points_W, double radius);
 
 }  // namespace limpet

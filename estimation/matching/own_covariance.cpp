@@ -49,13 +49,13 @@ Eigen::MatrixXd JointOfSingles(const std::vector<ObjectEstimate>& objects) {
   return joint;
 }
 
-SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places, const Eigen::MatrixXd& joint,
-                          const Eigen::Vector2d& pivot_W) {
+SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places_W,
+                          const Eigen::MatrixXd& joint, const Eigen::Vector2d& pivot_W) {
   const Eigen::Index n = joint.rows();
   const FrameOffset rest{.pivot_W = pivot_W};
   Eigen::MatrixXd J(n, 4);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    J.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rest.Jacobian(places[i]);
+  for (std::size_t i = 0; i < places_W.size(); ++i) {
+    J.middleRows<3>(static_cast<Eigen::Index>(3 * i)) = rest.Jacobian(places_W[i]);
   }
   const Eigen::Vector4d unknown(kUnknownShift, kUnknownShift, kUnknownShift, kUnknownTurn);
   const Eigen::MatrixXd regular = joint + kLeastVariance * Eigen::MatrixXd::Identity(n, n);

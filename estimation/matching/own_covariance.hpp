@@ -25,7 +25,7 @@ struct SplitCovariance {
   Eigen::Matrix4d frame;  ///< of (north, east, down [m], turn [rad])
   Eigen::MatrixXd own;    ///< three rows per place
 };
-[[nodiscard]] SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places,
+[[nodiscard]] SplitCovariance SplitFrom(const std::vector<Eigen::Vector3d>& places_W,
                                         const Eigen::MatrixXd& joint,
                                         const Eigen::Vector2d& pivot_W);
 

@@ -33,8 +33,8 @@ BoxMotion::Middles BoxMotion::MiddlesOf(const Detections& frame, double least_co
 }
 
 std::optional<Eigen::Vector2d> BoxMotion::SeenFrom(const Pose& X_DB,
-                                                   const Eigen::Vector2d& pixel) const {
-  const Eigen::Vector3d ray_D = RotationOf(last_->X_DB) * camera_.R_BC * camera_.RayOf(pixel);
+                                                   const Eigen::Vector2d& at_px) const {
+  const Eigen::Vector3d ray_D = RotationOf(last_->X_DB) * camera_.R_BC * camera_.RayOf(at_px);
   if (ray_D.z() < kLeastDescent) return std::nullopt;
   const Eigen::Vector3d eye_D = last_->X_DB.p_WB + RotationOf(last_->X_DB) * camera_.p_BC;
   const double below = last_->altitude + last_->X_DB.p_WB.z() - eye_D.z();

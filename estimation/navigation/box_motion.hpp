@@ -42,7 +42,7 @@ class BoxMotion {
   [[nodiscard]] Middles MiddlesOf(const Detections& frame, double least_confidence) const;
   /// Where the seabed that `last_` showed at a pixel is in the image from `X_DB`.
   [[nodiscard]] std::optional<Eigen::Vector2d> SeenFrom(const Pose& X_DB,
-                                                        const Eigen::Vector2d& pixel) const;
+                                                        const Eigen::Vector2d& at_px) const;
 
   CameraModel camera_;
   std::optional<View> last_;

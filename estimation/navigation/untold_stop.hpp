@@ -10,10 +10,10 @@ namespace limpet {
 /// the water from there on. Seldom, but far: a covariance of both cases together.
 class UntoldStop {
  public:
-  /// It goes on as believed: `way` through the water [m] in `seconds`.
-  void GoOn(const Eigen::Vector2d& way, double seconds) {
+  /// It goes on as believed: `way_D` through the water [m] in `seconds`.
+  void GoOn(const Eigen::Vector2d& way_D, double seconds) {
     const Eigen::Vector2d before = way_;
-    way_ += way;
+    way_ += way_D;
     seconds_ += seconds;
     const Eigen::Vector2d middle = 0.5 * (before + way_);
     sum_ += seconds * middle;

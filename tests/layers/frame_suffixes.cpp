@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,10 @@
 
 namespace limpet::layers {
 namespace {
+
+/// A vector in W by its type, which stands beside a parameter's name, but not where a member is
+/// read.
+constexpr std::string_view kPlace = "PlanePoint";
 
 /// What a brace opens.
 struct Scope {
@@ -27,16 +32,32 @@ std::string WithoutComments(const std::string& text) {
   return std::regex_replace(std::regex_replace(text, kComment, " "), kBlank, " ");
 }
 
-/// Names of a statement `Type a = .., b;` of a vector's type; what stands in parentheses and braces
-/// has been left out.
-std::vector<std::string> VectorsIn(const std::string& statement) {
-  static const std::regex kDeclaration(
-      R"(^ ?(?:mutable |const |static |inline |constexpr )*(?:std::\w+<)*)"
-      R"(Eigen::(?:Vector|Matrix)[23]d(?:, \w+)?>* (\w+.*)$)");
+bool IsHeader(const SourceFile& file) {
+  return file.path.ends_with(".hpp") && !file.path.starts_with("tests/");
+}
+
+/// A vector or matrix of two or three rows, or what holds some, as a regular expression: Eigen's
+/// own names, and those that headers give them.
+std::string VectorTypes(const std::vector<SourceFile>& files) {
+  static const std::regex kAlias(R"(using (\w+) = Eigen::(?:Vector|Matrix)[23]d;)");
+  std::string types = "Eigen::(?:Vector|Matrix)[23]d";
+  for (const SourceFile& file : files) {
+    if (!IsHeader(file)) continue;
+    for (std::sregex_iterator alias(file.text.begin(), file.text.end(), kAlias), end; alias != end;
+         ++alias) {
+      types += "|(?!cv::)(?:\\w+::)?" + (*alias)[1].str();
+    }
+  }
+  return "(?:std::\\w+<)*(?:" + types + ")(?:, \\w+)?>*";
+}
+
+/// Names of a statement `Type a = .., b;` of a vector's type, which `declares` knows; what stands
+/// in parentheses and braces has been left out.
+std::vector<std::string> VectorsIn(const std::string& statement, const std::regex& declares) {
   static const std::regex kName(R"(^ ?(\w+) ?(?:=.*)?$)");
   std::vector<std::string> names;
   std::smatch declaration;
-  if (!std::regex_match(statement, declaration, kDeclaration)) return names;
+  if (!std::regex_match(statement, declaration, declares)) return names;
   for (const std::string& part : Split(declaration[1].str(), ',')) {
     std::smatch name;
     if (std::regex_match(part, name, kName)) names.push_back(name[1]);
@@ -47,6 +68,8 @@ std::vector<std::string> VectorsIn(const std::string& statement) {
 /// Follows the braces of a header and hands out what stands in types that others see.
 class MemberReader {
  public:
+  explicit MemberReader(const std::regex& declares) : declares_(&declares) {}
+
   std::vector<std::pair<std::string, std::string>> Read(const std::string& text) {
     for (const char c : WithoutComments(text)) {
       if (c == '(') ++parentheses_;
@@ -104,7 +127,7 @@ class MemberReader {
 
   void End() {
     if (!scopes_.empty() && scopes_.back().is_type && scopes_.back().is_public) {
-      for (std::string& name : VectorsIn(statement_)) {
+      for (std::string& name : VectorsIn(statement_, *declares_)) {
         members_.emplace_back(scopes_.back().type, std::move(name));
       }
     }
@@ -122,11 +145,18 @@ class MemberReader {
     }
   }
 
+  const std::regex* declares_;
   std::vector<Scope> scopes_;
   std::string statement_;
   int parentheses_ = 0;
   std::vector<std::pair<std::string, std::string>> members_;
 };
+
+/// Names that say their frame: the letters of one or more at their end, or that they are pixels of
+/// an image. A Jacobian `J_x` has none of its own.
+std::regex FramedName(const std::string& letters) {
+  return std::regex("^(?:J_\\w+|\\w+_(?:[" + letters + "]+|px))$");
+}
 
 }  // namespace
 
@@ -142,13 +172,39 @@ std::string ReadFrameLetters(std::string_view markdown) {
 
 std::vector<std::string> MembersWithoutFrame(const std::vector<SourceFile>& files,
                                              const std::string& letters) {
-  const std::regex framed("^(?:J_\\w+|\\w+_[" + letters + "]+)$");
+  const std::regex framed = FramedName(letters);
+  const std::regex declares("^ ?(?:mutable |const |static |inline |constexpr )*" +
+                            VectorTypes(files) + " (\\w+.*)$");
   std::vector<std::string> complaints;
   for (const SourceFile& file : files) {
-    if (!file.path.ends_with(".hpp") || file.path.starts_with("tests/")) continue;
-    for (const auto& [type, name] : MemberReader().Read(file.text)) {
+    if (!IsHeader(file)) continue;
+    for (const auto& [type, name] : MemberReader(declares).Read(file.text)) {
       if (std::regex_match(name, framed)) continue;
       complaints.push_back(fmt::format("{}: {}::{}", file.path, type, name));
+    }
+  }
+  return complaints;
+}
+
+std::vector<std::string> ParametersWithoutFrame(const std::vector<SourceFile>& files,
+                                                const std::string& letters) {
+  static const std::regex kEmpty(R"(\{\}|\(\))"), kFunction(R"((\w+) ?\(([^(){};]*)\))");
+  const std::regex framed = FramedName(letters);
+  const std::regex parameter("^ ?(?:const )?" + VectorTypes(files) + "&? (\\w+)(?: ?=.*)?$");
+  std::vector<std::string> complaints;
+  for (const SourceFile& file : files) {
+    if (!IsHeader(file)) continue;
+    const std::string text = std::regex_replace(WithoutComments(file.text), kEmpty, "");
+    for (std::sregex_iterator function(text.begin(), text.end(), kFunction), end; function != end;
+         ++function) {
+      for (const std::string& part : Split((*function)[2].str(), ',')) {
+        std::smatch name;
+        if (!std::regex_match(part, name, parameter)) continue;
+        if (part.find(kPlace) != std::string::npos) continue;
+        if (std::regex_match(name[1].str(), framed)) continue;
+        complaints.push_back(
+            fmt::format("{}: {}({})", file.path, (*function)[1].str(), name[1].str()));
+      }
     }
   }
   return complaints;

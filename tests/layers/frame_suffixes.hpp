@@ -14,9 +14,15 @@ namespace limpet::layers {
 [[nodiscard]] std::string ReadFrameLetters(std::string_view markdown);
 
 /// One complaint per public data member of a header of the product that is an Eigen vector or
-/// matrix of two or three rows, or holds some, and whose name does not end in one or more of
-/// `letters`: `path: Type::name`. A Jacobian `J_x` has no frame of its own.
+/// matrix of two or three rows, by that or by another name that a header gives it, or holds some,
+/// and whose name ends neither in one or more of `letters` nor in `px`: `path: Type::name`. A
+/// Jacobian `J_x` has no frame of its own.
 [[nodiscard]] std::vector<std::string> MembersWithoutFrame(const std::vector<SourceFile>& files,
                                                            const std::string& letters);
+
+/// The like of parameters of functions in headers: `path: Function(name)`. A PlanePoint is in W by
+/// its type.
+[[nodiscard]] std::vector<std::string> ParametersWithoutFrame(const std::vector<SourceFile>& files,
+                                                              const std::string& letters);
 
 }  // namespace limpet::layers

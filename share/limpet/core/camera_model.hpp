@@ -69,8 +69,8 @@ struct CameraModel {
     return Eigen::Vector2d(cx + fx * p_C.x() / p_C.z(), cy + fy * p_C.y() / p_C.z());
   }
   /// Unit vector in C towards what a pixel shows.
-  [[nodiscard]] Eigen::Vector3d RayOf(const Eigen::Vector2d& pixel) const {
-    return Eigen::Vector3d((pixel.x() - cx) / fx, (pixel.y() - cy) / fy, 1.0).normalized();
+  [[nodiscard]] Eigen::Vector3d RayOf(const Eigen::Vector2d& at_px) const {
+    return Eigen::Vector3d((at_px.x() - cx) / fx, (at_px.y() - cy) / fy, 1.0).normalized();
   }
 
  private:

@@ -90,12 +90,12 @@ struct Situation {
   /// Path that the battery allows from now on, way home and reserve kept; absent: nobody says.
   std::optional<Meters> reach{};
   /// Where the survey goes on when this ground is done, NED [m]; absent: it is over then.
-  std::optional<PlanePoint> onward{};
+  std::optional<PlanePoint> onward_W{};
   CourseCost course_cost{};  ///< in the current there is
 
   /// Where the way leads when this ground is done: on, or home.
   [[nodiscard]] PlanePoint next() const {
-    return onward.value_or(PlanePoint(home.north, home.east));
+    return onward_W.value_or(PlanePoint(home.north, home.east));
   }
 };
 

@@ -165,7 +165,7 @@ Situation SurveyMirror::Snapshot(Seconds now, const Pose2& pose, double travelle
           .coverage = coverage_,
           .travelled = travelled,
           .reach = reach_of_battery_,
-          .onward = blocks_->Onward(),
+          .onward_W = blocks_->Onward(),
           .course_cost = course_cost_};
 }
 

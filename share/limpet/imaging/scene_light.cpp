@@ -68,9 +68,9 @@ SceneLight::Ground SceneLight::OnGround(const Eigen::Vector3d& p_W,
   return {all, sun(1) / std::max(all(1), 1e-9F)};
 }
 
-double SceneLight::VignetteOf(const Eigen::Vector2d& pixel) const {
-  const double du = pixel.x() - camera_.cx;
-  const double dv = pixel.y() - camera_.cy;
+double SceneLight::VignetteOf(const Eigen::Vector2d& at_px) const {
+  const double du = at_px.x() - camera_.cx;
+  const double dv = at_px.y() - camera_.cy;
   return VignetteAt(params_.lens,
                     (du * du + dv * dv) / (camera_.cx * camera_.cx + camera_.cy * camera_.cy));
 }

@@ -51,7 +51,7 @@ class SceneLight {
   }
   [[nodiscard]] const Eigen::Vector3d& camera_W() const { return camera_W_; }
   [[nodiscard]] const Eigen::Matrix3d& R_WC() const { return R_WC_; }
-  [[nodiscard]] double VignetteOf(const Eigen::Vector2d& pixel) const;
+  [[nodiscard]] double VignetteOf(const Eigen::Vector2d& at_px) const;
 
  private:
   [[nodiscard]] Eigen::Array3f DaylightAt(double depth) const;

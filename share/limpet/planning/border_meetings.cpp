@@ -44,12 +44,12 @@ class Meetings {
   }
 
   void WithSide(const PlaneEdge& side) {
-    const PlanePoint way = side.to - side.from;
+    const PlanePoint way = side.to_W - side.from_W;
     const double side_length = way.norm();
     if (is_straight_) {
       const double cross = CrossOf(along_, way);
       if (std::abs(cross) <= 1e-12 * side_length) return;
-      const PlanePoint to_side = side.from - from_;
+      const PlanePoint to_side = side.from_W - from_;
       const double on_side = CrossOf(to_side, along_) / cross;
       if (on_side >= 0.0 && on_side <= 1.0) {
         Add(CrossOf(to_side, way) / cross);
@@ -57,9 +57,9 @@ class Meetings {
       return;
     }
     std::vector<double> on_line;
-    AddOnLine(side.from, way / side_length, arc_, on_line);
+    AddOnLine(side.from_W, way / side_length, arc_, on_line);
     for (const double s : on_line) {
-      if (s >= 0.0 && s <= side_length) AddPlace(side.from + s / side_length * way);
+      if (s >= 0.0 && s <= side_length) AddPlace(side.from_W + s / side_length * way);
     }
   }
 
@@ -125,12 +125,12 @@ void AddMeetings(const PlacedSegment& piece, const SimplePolygon& polygon, doubl
       meetings.WithSide(side);
       continue;
     }
-    const PlanePoint way = (side.to - side.from).normalized();
+    const PlanePoint way = (side.to_W - side.from_W).normalized();
     const PlanePoint aside = distance * PlanePoint(-way.y(), way.x());
-    meetings.WithSide({side.from + aside, side.to + aside});
-    meetings.WithSide({side.from - aside, side.to - aside});
-    meetings.WithCircle({side.from, distance});
-    meetings.WithCircle({side.to, distance});
+    meetings.WithSide({side.from_W + aside, side.to_W + aside});
+    meetings.WithSide({side.from_W - aside, side.to_W - aside});
+    meetings.WithCircle({side.from_W, distance});
+    meetings.WithCircle({side.to_W, distance});
   }
 }
 

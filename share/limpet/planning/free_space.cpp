@@ -29,7 +29,7 @@ double Fence::Clearance(const PlanePoint& at) const {
 
 PlanePoint FreeSpace::Raster::Center(std::size_t cell) const {
   const auto width = static_cast<std::size_t>(columns);
-  return origin +
+  return origin_W +
          cell_m * PlanePoint(static_cast<double>(cell / width), static_cast<double>(cell % width));
 }
 
@@ -40,7 +40,7 @@ double Fence::ClearanceAtLeast(const PlanePoint& at) const {
 }
 
 std::optional<std::size_t> FreeSpace::Raster::At(const PlanePoint& place) const {
-  const PlanePoint index = (place - origin) / cell_m;
+  const PlanePoint index = (place - origin_W) / cell_m;
   const double row = index.x() + 0.5, column = index.y() + 0.5;
   // Written so that what is no number is outside; of what is not negative a cast is the floor.
   if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) return std::nullopt;
@@ -65,7 +65,7 @@ void FreeSpace::FillRaster() {
   raster_.cell_m = std::max(kFinestCell, std::sqrt(extent.x() * extent.y() / kMostRasterCells));
   raster_.rows = static_cast<int>(std::ceil(extent.x() / raster_.cell_m)) + 1;
   raster_.columns = static_cast<int>(std::ceil(extent.y() / raster_.cell_m)) + 1;
-  raster_.origin = low_;
+  raster_.origin_W = low_;
   const std::size_t count =
       static_cast<std::size_t>(raster_.rows) * static_cast<std::size_t>(raster_.columns);
   raster_.clearance.resize(count);

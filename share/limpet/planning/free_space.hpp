@@ -52,7 +52,7 @@ class FreeSpace {
 
   /// Clearances on a raster that covers the box, row by row from the south-west.
   struct Raster {
-    PlanePoint origin;  ///< centre of the first cell
+    PlanePoint origin_W;  ///< centre of the first cell
     double cell_m = 0.25;
     int rows = 0, columns = 0;
     std::vector<float> clearance;

@@ -29,7 +29,7 @@ using Stage = std::vector<Arrival>;
 
 std::vector<Pose2> PosesAt(const std::vector<LegEnd>& legs, std::size_t i, const Pose2& start,
                            const AllowsEnd& allows_end) {
-  const PlanePoint& at = legs[i].at;
+  const PlanePoint& at = legs[i].at_W;
   std::vector<Pose2> poses;
   if (legs[i].heading) return {{at.x(), at.y(), *legs[i].heading}};
   if (i + 1 == legs.size()) {
@@ -39,8 +39,8 @@ std::vector<Pose2> PosesAt(const std::vector<LegEnd>& legs, std::size_t i, const
     }
     return poses;
   }
-  const PlanePoint before = i > 0 ? legs[i - 1].at : PlanePoint(start.north, start.east);
-  const PlanePoint way = (at - before).normalized() + (legs[i + 1].at - at).normalized();
+  const PlanePoint before = i > 0 ? legs[i - 1].at_W : PlanePoint(start.north, start.east);
+  const PlanePoint way = (at - before).normalized() + (legs[i + 1].at_W - at).normalized();
   const double bisector = std::atan2(way.y(), way.x());
   for (const double off : kOffBisector) {
     poses.push_back({at.x(), at.y(), bisector + off});
@@ -105,8 +105,9 @@ namespace {
 /// leads on, not back to it.
 bool IsRound(const PlaneEdge& in, const PlaneEdge& out, const PlanePoint& at, Meters turn_radius) {
   constexpr double kNear = 3.0;  // turning radii
-  const PlanePoint& corner = in.to;
-  const PlanePoint onwards = (in.to - in.from).normalized() + (out.to - out.from).normalized();
+  const PlanePoint& corner = in.to_W;
+  const PlanePoint onwards =
+      (in.to_W - in.from_W).normalized() + (out.to_W - out.from_W).normalized();
   return (at - corner).norm() <= kNear * turn_radius.value() && (at - corner).dot(onwards) > 0.0;
 }
 

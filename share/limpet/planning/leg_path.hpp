@@ -13,7 +13,7 @@ namespace limpet {
 
 /// Where a leg of a way ends, and what the motion to there must keep.
 struct LegEnd {
-  PlanePoint at;
+  PlanePoint at_W;
   std::function<bool(const DubinsPath&)> allows;
   /// False: a hint; what goes on without it and is allowed may be shorter.
   bool must_be_passed = true;

@@ -12,7 +12,7 @@ std::optional<std::vector<LegEnd>> LegsInside(const Region& region, const PlaneP
   if (!places) return std::nullopt;
   std::vector<LegEnd> legs;
   for (const PlanePoint& at : *places) {
-    legs.push_back({.at = at,
+    legs.push_back({.at_W = at,
                     .allows = [&region](const DubinsPath& path) { return region.Contains(path); },
                     .must_be_passed = false});
   }

@@ -363,14 +363,14 @@ SurveyFrames FramesOfSurvey(const SessionRecord& record, const ReportSettings& s
 
 CoverageScore ScoreCoverage(const SurveyFrames& frames, const SurveyArea& area,
                             const Scenario& scenario, const ReportSettings& settings,
-                            const std::vector<Eigen::Vector3d>& former) {
+                            const std::vector<Eigen::Vector3d>& former_W) {
   CoverageScore score;
   score.curve.path_m = frames.path_m;
   score.curve.time_s = frames.time_s;
   ScoreSamples(frames, area, scenario, settings, score);
   score.seabed = LevelsOf(score.curve, score.curve.seabed);
   score.band = LevelsOf(score.curve, score.curve.band);
-  score.prior_opis_seen_path_m = PathToSee(frames, former, settings.camera_geometry, scenario);
+  score.prior_opis_seen_path_m = PathToSee(frames, former_W, settings.camera_geometry, scenario);
   return score;
 }
 

@@ -50,10 +50,10 @@ struct SurveyFrames {
 [[nodiscard]] SurveyFrames FramesOfSurvey(const SessionRecord& record,
                                           const ReportSettings& settings);
 
-/// Coverage over the area of `record`; `former` are the true places of the former session's
+/// Coverage over the area of `record`; `former_W` are the true places of the former session's
 /// objects.
 [[nodiscard]] CoverageScore ScoreCoverage(const SurveyFrames& frames, const SurveyArea& area,
                                           const Scenario& scenario, const ReportSettings& settings,
-                                          const std::vector<Eigen::Vector3d>& former);
+                                          const std::vector<Eigen::Vector3d>& former_W);
 
 }  // namespace limpet

@@ -76,8 +76,8 @@ void AppendTo(NavErrorCurve& curve, const Eigen::Vector3d& error, const std::arr
 
 }  // namespace
 
-Eigen::Vector3d CommonOffset::Apply(const Eigen::Vector3d& estimate) const {
-  const Eigen::Vector3d a = estimate - pivot_W;
+Eigen::Vector3d CommonOffset::Apply(const Eigen::Vector3d& estimate_W) const {
+  const Eigen::Vector3d a = estimate_W - pivot_W;
   const double c = std::cos(yaw), s = std::sin(yaw);
   return target_W + Eigen::Vector3d(c * a.x() - s * a.y(), s * a.x() + c * a.y(), a.z());
 }

@@ -14,7 +14,7 @@ struct CommonOffset {
   double yaw = 0.0;                                    ///< [rad]
   Eigen::Vector3d pivot_W = Eigen::Vector3d::Zero();   ///< of the estimates [m]
   Eigen::Vector3d target_W = Eigen::Vector3d::Zero();  ///< where the pivot truly is [m]
-  [[nodiscard]] Eigen::Vector3d Apply(const Eigen::Vector3d& estimate) const;
+  [[nodiscard]] Eigen::Vector3d Apply(const Eigen::Vector3d& estimate_W) const;
 };
 
 /// Errors over time, from the start of the survey, for the figure.

@@ -24,7 +24,7 @@ class Places {
 
   [[nodiscard]] bool HasWithin(double distance, const PlanePoint& at) const {
     const double reach = distance + raster_.slack();
-    const PlanePoint middle = (at - raster_.origin) / raster_.cell_m;
+    const PlanePoint middle = (at - raster_.origin_W) / raster_.cell_m;
     const int span = static_cast<int>(std::ceil(reach / raster_.cell_m));
     const auto range = [span](double coordinate, int count) {
       const int cell = static_cast<int>(std::lround(coordinate));

@@ -23,12 +23,12 @@ double UprightBody::Distance(const Eigen::Vector3d& at_W) const {
   return std::hypot(Aside(at_W.head<2>()), std::max(0.0, top_ - at_W.z()));
 }
 
-std::optional<UprightBody::Piece> UprightBody::Over(const Eigen::Vector2d& from_center,
-                                                    const Eigen::Vector2d& direction) const {
+std::optional<UprightBody::Piece> UprightBody::Over(const Eigen::Vector2d& from_center_W,
+                                                    const Eigen::Vector2d& direction_W) const {
   Piece piece{-kEndless, kEndless};
   if (is_column_) {
-    const double along = direction.squaredNorm(), towards = from_center.dot(direction);
-    const double off = from_center.squaredNorm() - half_size_.x() * half_size_.x();
+    const double along = direction_W.squaredNorm(), towards = from_center_W.dot(direction_W);
+    const double off = from_center_W.squaredNorm() - half_size_.x() * half_size_.x();
     if (along <= 0.0) return off <= 0.0 ? std::optional(piece) : std::nullopt;
     const double half_chord_sq = towards * towards - along * off;
     if (half_chord_sq < 0.0) return std::nullopt;
@@ -36,12 +36,12 @@ std::optional<UprightBody::Piece> UprightBody::Over(const Eigen::Vector2d& from_
     return Piece{-towards / along - half_chord, -towards / along + half_chord};
   }
   for (const Eigen::Index axis : {0, 1}) {
-    if (direction[axis] == 0.0) {
-      if (std::abs(from_center[axis]) > half_size_[axis]) return std::nullopt;
+    if (direction_W[axis] == 0.0) {
+      if (std::abs(from_center_W[axis]) > half_size_[axis]) return std::nullopt;
       continue;
     }
-    double near = (-half_size_[axis] - from_center[axis]) / direction[axis];
-    double far = (half_size_[axis] - from_center[axis]) / direction[axis];
+    double near = (-half_size_[axis] - from_center_W[axis]) / direction_W[axis];
+    double far = (half_size_[axis] - from_center_W[axis]) / direction_W[axis];
     if (near > far) std::swap(near, far);
     piece = {std::max(piece.first, near), std::min(piece.last, far)};
   }

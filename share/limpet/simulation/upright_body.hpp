@@ -20,8 +20,8 @@ class UprightBody {
     return {center_W, Eigen::Vector2d::Constant(column.radius), column.top, true};
   }
   [[nodiscard]] static UprightBody Box(const Eigen::Vector2d& center_W,
-                                       const Eigen::Vector2d& half_size, double top) {
-    return {center_W, half_size, top, false};
+                                       const Eigen::Vector2d& half_size_W, double top) {
+    return {center_W, half_size_W, top, false};
   }
 
   /// Distance [m] along a ray (`direction_W` of unit length) to where it first meets wall or top;
@@ -45,15 +45,15 @@ class UprightBody {
   struct Piece {
     double first, last;
   };
-  UprightBody(const Eigen::Vector2d& center_W, const Eigen::Vector2d& half_size, double top,
+  UprightBody(const Eigen::Vector2d& center_W, const Eigen::Vector2d& half_size_W, double top,
               bool is_column)
-      : center_W_(center_W), half_size_(half_size), top_(top), is_column_(is_column) {}
+      : center_W_(center_W), half_size_(half_size_W), top_(top), is_column_(is_column) {}
 
   /// How far a place is from the ground that it stands on [m]; 0 on it.
   [[nodiscard]] double Aside(const Eigen::Vector2d& at_W) const;
   /// What of a line lies over that ground.
-  [[nodiscard]] std::optional<Piece> Over(const Eigen::Vector2d& from_center,
-                                          const Eigen::Vector2d& direction) const;
+  [[nodiscard]] std::optional<Piece> Over(const Eigen::Vector2d& from_center_W,
+                                          const Eigen::Vector2d& direction_W) const;
 
   Eigen::Vector2d center_W_;
   Eigen::Vector2d half_size_;

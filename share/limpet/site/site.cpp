@@ -21,11 +21,11 @@ std::string Site::Summary() const {
 }
 
 void SiteBox::Take(const PlanePoint& at) {
-  low = low.cwiseMin(at);
-  high = high.cwiseMax(at);
+  low_W = low_W.cwiseMin(at);
+  high_W = high_W.cwiseMax(at);
 }
 
-double SiteBox::room() const { return std::max(1.0, 0.02 * (high - low).maxCoeff()); }
+double SiteBox::room() const { return std::max(1.0, 0.02 * (high_W - low_W).maxCoeff()); }
 
 SiteBox BoxAround(const Site& site) {
   const SurveyShape shape = *SurveyShape::Of(site.area);
@@ -35,12 +35,12 @@ SiteBox BoxAround(const Site& site) {
     box.Take(shape.region()->high());
   } else {
     const PlanePoint margin(shape.margin(), shape.margin());
-    box.Take(box.low - margin);
-    box.Take(box.high + margin);
+    box.Take(box.low_W - margin);
+    box.Take(box.high_W + margin);
   }
   for (const PlanePoint& at : shape.transit())
     box.Take(at);
-  if (site.start) box.Take(*site.start);
+  if (site.start_W) box.Take(*site.start_W);
   return box;
 }
 
@@ -48,7 +48,7 @@ std::ptrdiff_t ZonesBeyond(const Site& site) {
   const SurveyShape shape = *SurveyShape::Of(site.area);
   const SiteBox box = BoxAround(site);
   const PlanePoint room(box.room(), box.room());
-  const PlanePoint low = box.low - room, high = box.high + room;
+  const PlanePoint low = box.low_W - room, high = box.high_W + room;
   return std::ranges::count_if(shape.zones(), [&](const SimplePolygon& zone) {
     return (zone.high().array() < low.array()).any() || (zone.low().array() > high.array()).any();
   });
@@ -65,14 +65,14 @@ std::optional<Site> SiteOf(const fs::path& path, const MissionChange& change) {
     if (!facts || facts->problem || facts->wanted_m2 <= 0.0) return std::nullopt;
     Site site{.name = fs::weakly_canonical(file).parent_path().filename().string(),
               .area = facts->area,
-              .start = {},
+              .start_W = {},
               .wanted_m2 = facts->wanted_m2,
               .path_m = EstimatePath(*facts, reading.Find("pSurvey", "coverage_kind")->text,
                                      reading.Find("pSurvey", "coverage_target")->number())
                             .total(),
               .speed_mps = facts->speed.number()};
     if (reading.scenario()) {
-      site.start.emplace(reading.scenario()->start.north_m, reading.scenario()->start.east_m);
+      site.start_W.emplace(reading.scenario()->start.north_m, reading.scenario()->start.east_m);
     }
     return site;
   } catch (const ConfigError&) {

@@ -16,10 +16,10 @@ namespace limpet {
 struct Site {
   std::string name;
   SurveyArea area;
-  std::optional<PlanePoint> start;  ///< of its scenario.yaml
-  double wanted_m2 = 0.0;           ///< ground to be seen
-  double path_m = 0.0;              ///< lanes and turns
-  double speed_mps = 0.0;           ///< 0: no behavior says it
+  std::optional<PlanePoint> start_W;  ///< of its scenario.yaml
+  double wanted_m2 = 0.0;             ///< ground to be seen
+  double path_m = 0.0;                ///< lanes and turns
+  double speed_mps = 0.0;             ///< 0: no behavior says it
 
   /// The site in a line: the ground to be seen, the way it takes, the time, and how many keep-out
   /// zones lie beyond what is drawn.
@@ -34,7 +34,7 @@ struct Site {
 /// The box around the area, where the vehicle may be, the transit and the start; zones may reach
 /// beyond it.
 struct SiteBox {
-  PlanePoint low, high;
+  PlanePoint low_W, high_W;
   void Take(const PlanePoint& at);
   /// That is left around it, for marks at its edges [m].
   [[nodiscard]] double room() const;

@@ -29,19 +29,19 @@ std::vector<std::vector<PlanePoint>> BorderBeyond(const SimplePolygon& outline, 
   };
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const PlaneEdge edge = outline.Edge(i);
-    const PlanePoint along = edge.to - edge.from;
+    const PlanePoint along = edge.to_W - edge.from_W;
     PlanePoint off = PlanePoint(-along.y(), along.x()).normalized() * margin;
-    const PlanePoint middle = edge.from + 0.5 * along;
+    const PlanePoint middle = edge.from_W + 0.5 * along;
     const bool is_inward = outline.Contains(middle + 1e-3 * off.normalized());
     if (is_inward) off = -off;
     for (double share = 0.0; share <= 1.0; share += kFinest)
-      take(edge.from + share * along + off);
+      take(edge.from_W + share * along + off);
     // Around the corner; where the next side begins sooner, those places are not of the border.
     const double turn = is_inward ? kTurn : -kTurn;
     for (double angle = turn; std::abs(angle) < std::numbers::pi; angle += turn) {
       const PlanePoint around(off.x() * std::cos(angle) - off.y() * std::sin(angle),
                               off.x() * std::sin(angle) + off.y() * std::cos(angle));
-      const PlanePoint at = edge.to + around;
+      const PlanePoint at = edge.to_W + around;
       if (-outline.Depth(at) < margin - kTouch) break;
       take(at);
     }
@@ -98,7 +98,7 @@ void DrawLegend(const Site& site, MapAxes& map) {
   if (!shape.transit().empty()) {
     LineLegend(map, {.stroke = palette::kBlue, .width = 1.5}, "transit");
   }
-  if (site.start) {
+  if (site.start_W) {
     map.Legend(
         [](SvgCanvas& canvas, const SvgCanvas::Point& at) {
           canvas.Circle(at, 5.0, {.fill = palette::kVermillion});
@@ -112,21 +112,21 @@ void DrawLegend(const Site& site, MapAxes& map) {
 std::string SiteSvg(const Site& site) {
   const Region region(site.area);
   const SiteBox box = BoxAround(site);
-  const SurveyArea frame{.north_min = box.low.x(),
-                         .north_max = box.high.x(),
-                         .east_min = box.low.y(),
-                         .east_max = box.high.y(),
+  const SurveyArea frame{.north_min = box.low_W.x(),
+                         .north_max = box.high_W.x(),
+                         .east_min = box.low_W.y(),
+                         .east_max = box.high_W.y(),
                          .margin = box.room()};
   MapAxes map(frame, "What " + site.name + " surveys", site.Summary());
   map.BeginMap();
   map.Outline(site.area);
   DrawRegion(site, map);
   std::vector<SvgCanvas::Point> way;
-  if (site.start) way.push_back(map.At(*site.start));
+  if (site.start_W) way.push_back(map.At(*site.start_W));
   for (const PlanePoint& at : region.transit())
     way.push_back(map.At(at));
   if (way.size() > 1) map.canvas().Polyline(way, {.stroke = palette::kBlue, .width = 1.5});
-  if (site.start) {
+  if (site.start_W) {
     map.canvas().Circle(way.front(), 5.0, {.fill = palette::kVermillion});
   }
   map.EndMap();

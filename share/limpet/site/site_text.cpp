@@ -64,11 +64,11 @@ void DrawNarrows(const SimplePolygon& polygon, char drawn, std::string_view over
   const std::vector<std::string> sampled = map.lines;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const PlaneEdge edge = polygon.Edge(i);
-    const PlanePoint along = edge.to - edge.from;
+    const PlanePoint along = edge.to_W - edge.from_W;
     const auto pieces = std::max(1L, std::lround(2.0 * along.norm() / map.step.minCoeff()));
     for (long piece = 0; piece <= pieces; ++piece) {
       const PlanePoint at =
-          edge.from + static_cast<double>(piece) / static_cast<double>(pieces) * along;
+          edge.from_W + static_cast<double>(piece) / static_cast<double>(pieces) * along;
       if (!map.Holds(at) || HasNear(sampled, drawn, map.RowOf(at), map.ColumnOf(at))) continue;
       char& letter = map.At(at);
       if (over.find(letter) != std::string_view::npos) letter = drawn;
@@ -101,13 +101,13 @@ std::string SiteText(const Site& site, int columns) {
   // A letter is about twice as high as wide.
   constexpr double kLetterShape = 2.0;
   constexpr int kMostRows = 50;
-  const PlanePoint extent = box.high - box.low;
+  const PlanePoint extent = box.high_W - box.low_W;
   const double east_step = std::max(extent.y() / columns, extent.x() / (kLetterShape * kMostRows));
   const double north_step = kLetterShape * east_step;
   const int rows = static_cast<int>(std::ceil(extent.x() / north_step)) + 1;
   const int width = static_cast<int>(std::ceil(extent.y() / east_step)) + 1;
   LetterMap map{
-      .corner = {box.high.x(), box.low.y()},
+      .corner = {box.high_W.x(), box.low_W.y()},
       .step = {north_step, east_step},
       .lines = {static_cast<std::size_t>(rows), std::string(static_cast<std::size_t>(width), ' ')}};
   for (std::size_t row = 0; row < map.lines.size(); ++row) {
@@ -120,7 +120,7 @@ std::string SiteText(const Site& site, int columns) {
     DrawNarrows(zone, '#', " .:", map);
   for (const PlanePoint& at : region.transit())
     map.At(at) = 'o';
-  if (site.start) map.At(*site.start) = 'S';
+  if (site.start_W) map.At(*site.start_W) = 'S';
   std::string text;
   for (std::string& line : map.lines) {
     line.erase(line.find_last_not_of(' ') + 1);

@@ -95,16 +95,16 @@ std::optional<Error> ProblemOfNumbers(const SurveyAreaRequest& request,
 bool HoldsSide(const SimplePolygon& region, const PlaneEdge& side) {
   constexpr double kRounding = 0.02;  // of corners in text [m]
   std::vector<double> cuts{0.0, 1.0};
-  const PlanePoint along = side.to - side.from;
+  const PlanePoint along = side.to_W - side.from_W;
   for (std::size_t i = 0; i < region.size(); ++i) {
     if (const auto at = Meeting(side, region.Edge(i))) {
-      cuts.push_back((*at - side.from).dot(along) / along.squaredNorm());
+      cuts.push_back((*at - side.from_W).dot(along) / along.squaredNorm());
     }
   }
   std::ranges::sort(cuts);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     const double next = i + 1 < cuts.size() ? cuts[i + 1] : cuts[i];
-    const PlanePoint between = side.from + 0.5 * (cuts[i] + next) * along;
+    const PlanePoint between = side.from_W + 0.5 * (cuts[i] + next) * along;
     if (region.Depth(between) < -kRounding) return false;
   }
   return true;
@@ -119,7 +119,7 @@ std::optional<Error> ProblemOfPlaces(const SurveyArea& area, const AreaSetting& 
     return Error{fmt::format(
         "`operating_region` does not hold the area: not all between x {:g}, y {:g} and x {:g}, y "
         "{:g}",
-        side.from.y(), side.from.x(), side.to.y(), side.to.x())};
+        side.from_W.y(), side.from_W.x(), side.to_W.y(), side.to_W.x())};
   }
   const bool is_in_zone =
       setting.vehicle_W && std::ranges::any_of(shape.zones(), [&](const SimplePolygon& zone) {

@@ -45,15 +45,15 @@ std::optional<std::string> Crossing(const SimplePolygon& polygon) {
       if (!are_neighbours) {
         if (const auto place = Meeting(a, b)) {
           return fmt::format("crosses or touches itself at {}, between {} and {}, and {} and {}",
-                             PlaceText(*place), PlaceText(a.from), PlaceText(a.to),
-                             PlaceText(b.from), PlaceText(b.to));
+                             PlaceText(*place), PlaceText(a.from_W), PlaceText(a.to_W),
+                             PlaceText(b.from_W), PlaceText(b.to_W));
         }
         continue;
       }
       // Neighbours share a corner; one that turns back lies on the other.
-      const PlanePoint& shared = k == i + 1 ? a.to : a.from;
-      const PlanePoint first = (k == i + 1 ? a.from : a.to) - shared;
-      const PlanePoint second = (k == i + 1 ? b.to : b.from) - shared;
+      const PlanePoint& shared = k == i + 1 ? a.to_W : a.from_W;
+      const PlanePoint first = (k == i + 1 ? a.from_W : a.to_W) - shared;
+      const PlanePoint second = (k == i + 1 ? b.to_W : b.from_W) - shared;
       const bool is_spike =
           std::abs(CrossToPort(first, second)) <= kSamePlace && first.dot(second) > 0;
       if (is_spike) {
@@ -67,25 +67,26 @@ std::optional<std::string> Crossing(const SimplePolygon& polygon) {
 }  // namespace
 
 PlanePoint PlaneEdge::Nearest(const PlanePoint& at) const {
-  const PlanePoint along = to - from;
+  const PlanePoint along = to_W - from_W;
   const double length2 = along.squaredNorm();
-  const double share = length2 > 0.0 ? std::clamp((at - from).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return from + share * along;
+  const double share =
+      length2 > 0.0 ? std::clamp((at - from_W).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return from_W + share * along;
 }
 
 std::optional<PlanePoint> Meeting(const PlaneEdge& a, const PlaneEdge& b) {
-  const PlanePoint along_a = a.to - a.from, along_b = b.to - b.from;
+  const PlanePoint along_a = a.to_W - a.from_W, along_b = b.to_W - b.from_W;
   const double cross = CrossToPort(along_a, along_b);
   if (std::abs(cross) > 1e-12 * along_a.norm() * along_b.norm()) {
-    const double on_a = CrossToPort(b.from - a.from, along_b) / cross;
-    const double on_b = CrossToPort(b.from - a.from, along_a) / cross;
+    const double on_a = CrossToPort(b.from_W - a.from_W, along_b) / cross;
+    const double on_b = CrossToPort(b.from_W - a.from_W, along_a) / cross;
     const bool is_on_both = on_a >= 0.0 && on_a <= 1.0 && on_b >= 0.0 && on_b <= 1.0;
     if (is_on_both) {
-      return PlanePoint(a.from + on_a * along_a);
+      return PlanePoint(a.from_W + on_a * along_a);
     }
   }
   for (const auto& [edge, place] :
-       {std::pair{&a, &b.from}, {&a, &b.to}, {&b, &a.from}, {&b, &a.to}}) {
+       {std::pair{&a, &b.from_W}, {&a, &b.to_W}, {&b, &a.from_W}, {&b, &a.to_W}}) {
     if ((edge->Nearest(*place) - *place).norm() <= kSamePlace) {
       return *place;
     }

@@ -15,7 +15,7 @@ using PlanePoint = Eigen::Vector2d;
 
 /// A side of a polygon.
 struct PlaneEdge {
-  PlanePoint from, to;
+  PlanePoint from_W, to_W;
   [[nodiscard]] PlanePoint Nearest(const PlanePoint& at) const;
 };
 

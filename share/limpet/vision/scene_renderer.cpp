@@ -85,10 +85,10 @@ SceneRenderer::SceneRenderer(const SceneSettings& settings)
   LIMPET_REQUIRE(settings.seabed_depth != nullptr, "a scene needs a seabed");
 }
 
-float SceneRenderer::Vignette(const Eigen::Vector2d& pixel) const {
+float SceneRenderer::Vignette(const Eigen::Vector2d& at_px) const {
   const CameraModel& camera = settings_.camera;
-  const double du = pixel.x() - camera.cx;
-  const double dv = pixel.y() - camera.cy;
+  const double du = at_px.x() - camera.cx;
+  const double dv = at_px.y() - camera.cy;
   const double corner2 = camera.cx * camera.cx + camera.cy * camera.cy;
   return static_cast<float>(1.0 - kVignetteAtCorner * (du * du + dv * dv) / corner2);
 }

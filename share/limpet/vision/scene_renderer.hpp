@@ -45,7 +45,7 @@ class SceneRenderer {
   void ShadeSeabedRow(LinearRow& linear) const;
   void AddSpecks(std::uint32_t frame, Image& image) const;
   void Develop(const LinearRow& linear, std::uint64_t counter, std::uint8_t* bgr) const;
-  [[nodiscard]] float Vignette(const Eigen::Vector2d& pixel) const;
+  [[nodiscard]] float Vignette(const Eigen::Vector2d& at_px) const;
 
   static constexpr int kBlock = CornerGrid::kBlock;
   SceneSettings settings_;

@@ -60,8 +60,8 @@ SpherePainter::Sample SpherePainter::Trace(const Eigen::Vector3d& ray_C) const {
           .hit = ray_C * (along / length2 - std::sqrt(depth2 / length2))};
 }
 
-bool SpherePainter::IsBuried(const Eigen::Vector3d& hit) {
-  const Eigen::Vector3d p_W = camera_W_ + R_WC_ * hit;
+bool SpherePainter::IsBuried(const Eigen::Vector3d& hit_C) {
+  const Eigen::Vector3d p_W = camera_W_ + R_WC_ * hit_C;
   return p_W.z() > relief_->At(p_W.head<2>()).depth;
 }
 

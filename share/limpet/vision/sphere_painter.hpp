@@ -40,7 +40,7 @@ class SpherePainter {
     Eigen::Vector3d hit;    ///< camera frame [m]
   };
   [[nodiscard]] Sample Trace(const Eigen::Vector3d& ray_C) const;
-  [[nodiscard]] bool IsBuried(const Eigen::Vector3d& hit);
+  [[nodiscard]] bool IsBuried(const Eigen::Vector3d& hit_C);
 
   CameraModel camera_;
   WaterOptics water_;

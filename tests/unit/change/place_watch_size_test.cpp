@@ -142,8 +142,8 @@ TEST(ObjectSize, WhatIsUnknownOfItWidensWhatPassesForIt) {
     const ObjectEstimate place = Sized(At(4, 0), 0.3, sd);
     const Foresight foresight = *Foresee(place, frame.X_WB, model);
     const double size = 2.0 * share * foresight.radius;
-    frame.boxes = {{.u = foresight.pixel.x(),
-                    .v = foresight.pixel.y(),
+    frame.boxes = {{.u = foresight.at_px.x(),
+                    .v = foresight.at_px.y(),
                     .w = size,
                     .h = size,
                     .confidence = 0.9,

@@ -34,8 +34,8 @@ ObservedFrame FrameOver(const Eigen::Vector3d& p_W, double ahead = 0.0, double s
 Box BoxNear(const ObjectEstimate& place, const ObservedFrame& frame, double off_u = 0.0,
             double off_v = 0.0) {
   const Foresight foresight = *Foresee(place, frame.X_WB, kWatchModel);
-  return {.u = foresight.pixel.x() + off_u,
-          .v = foresight.pixel.y() + off_v,
+  return {.u = foresight.at_px.x() + off_u,
+          .v = foresight.at_px.y() + off_v,
           .w = 2.0 * foresight.radius,
           .h = 2.0 * foresight.radius,
           .confidence = 0.9,
@@ -60,7 +60,7 @@ TEST(Foresee, PutsThePlaceWhereTheCameraHasIt) {
     if (!foresight) continue;
     ++seen;
     const Eigen::Vector3d p_C = camera.InCamera(X_WB, p_W);
-    EXPECT_LT((foresight->pixel - *camera.Project(p_C)).norm(), 1e-9);
+    EXPECT_LT((foresight->at_px - *camera.Project(p_C)).norm(), 1e-9);
     EXPECT_NEAR(foresight->radius, 0.5 * camera.fx / p_C.z(), 1e-9);
   }
   EXPECT_GT(seen, 100);
@@ -116,7 +116,7 @@ TEST(Explains, ABoxThatTheBorderCutsMayLieARadiusFurtherInside) {
   const double starboard = 3.0 * (0.5 * 640.0 + 60.0) / kWatchModel.look.camera.fx;
   const ObservedFrame frame = FrameOver(p_W, 0.0, starboard);
   const Foresight foresight = *Foresee(PlaceAt(p_W), frame.X_WB, kWatchModel);
-  ASSERT_GT(foresight.pixel.x(), 640.0);
+  ASSERT_GT(foresight.at_px.x(), 640.0);
   const Box shown{.u = 630.0, .v = 240.0, .w = 20.0, .h = 100.0, .confidence = 0.9, .color = ""};
   EXPECT_TRUE(foresight.Explains(shown, kWatchModel.look.camera));
   Box inside = shown;

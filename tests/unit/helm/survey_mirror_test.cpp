@@ -202,15 +202,15 @@ TEST(SurveyMirrorOfASquareKilometre, PlansABlockAndKnowsWhereItGoesOn) {
   EXPECT_TRUE(now.ground->is_part());
   EXPECT_LT(now.ground->levels().size(), 250'000U);
   EXPECT_GT(mirror.blocks().count(), 60U);
-  ASSERT_TRUE(now.onward.has_value());
-  EXPECT_LT((*now.onward - PlanePoint(-8.0, -8.0)).norm(), 250.0);
+  ASSERT_TRUE(now.onward_W.has_value());
+  EXPECT_LT((*now.onward_W - PlanePoint(-8.0, -8.0)).norm(), 250.0);
 }
 
 TEST(SurveyMirrorOfASquareKilometre, LeavesABlockOfWhichThePlanShowsNothingMore) {
   SurveyMirror mirror{ViewParams{}};
   ASSERT_TRUE(mirror.SetArea(SquareKilometre()));
   mirror.UpdateGround();
-  const PlanePoint there = *mirror.Snapshot(Seconds(0.0), {}, 0.0).onward;
+  const PlanePoint there = *mirror.Snapshot(Seconds(0.0), {}, 0.0).onward_W;
   Option option{.source = "plan", .path = DubinsPath({there.x(), there.y(), 0.0})};
   option.path.Append({.curvature = 0.0, .length = 5.0});
   mirror.NoteChoice(option);

@@ -15,7 +15,7 @@ using testing::Not;
 Site PlainSquare() {
   return {.name = "made_up",
           .area = {.north_max = 40.0, .east_max = 40.0, .margin = 5.0},
-          .start = {},
+          .start_W = {},
           .wanted_m2 = 1600.0,
           .path_m = 500.0,
           .speed_mps = 0.5};
@@ -42,7 +42,7 @@ TEST(SiteFigure, ExplainsWhatIsDrawnAndNothingElse) {
     EXPECT_THAT(plain, Not(HasSubstr(absent)));
   site.area.keep_out = "{10,10:20,10:20,20:10,20}";
   site.area.transit = "-20,-20";
-  site.start.emplace(-30.0, -30.0);
+  site.start_W.emplace(-30.0, -30.0);
   const std::string whole = SiteSvg(site);
   for (const char* drawn : {"keep-out zone", "transit", "start and home"})
     EXPECT_THAT(whole, HasSubstr(drawn));

@@ -12,7 +12,7 @@ namespace {
 Site MadeUp() {
   return {.name = "made_up",
           .area = {.north_max = 10.0, .east_max = 10.0, .margin = 2.0},
-          .start = {},
+          .start_W = {},
           .wanted_m2 = 100.0,
           .path_m = 50.0};
 }
@@ -34,19 +34,19 @@ TEST(Site, ThereIsNoneWhereNoMissionIsOrNoAppThatSurveys) {
 TEST(SiteBox, HoldsTheRegionWayPointsAndTheStart) {
   Site site = MadeUp();
   const SiteBox plain = BoxAround(site);
-  EXPECT_EQ(plain.low, PlanePoint(-2.0, -2.0)) << "the margin is the vehicle's, too";
-  EXPECT_EQ(plain.high, PlanePoint(12.0, 12.0));
-  site.start.emplace(-500.0, 7.0);
+  EXPECT_EQ(plain.low_W, PlanePoint(-2.0, -2.0)) << "the margin is the vehicle's, too";
+  EXPECT_EQ(plain.high_W, PlanePoint(12.0, 12.0));
+  site.start_W.emplace(-500.0, 7.0);
   site.area.transit = "700,5";  // x is east
   const SiteBox box = BoxAround(site);
-  EXPECT_EQ(box.low, PlanePoint(-500.0, -2.0));
-  EXPECT_EQ(box.high, PlanePoint(12.0, 700.0));
+  EXPECT_EQ(box.low_W, PlanePoint(-500.0, -2.0));
+  EXPECT_EQ(box.high_W, PlanePoint(12.0, 700.0));
 }
 
 TEST(SiteBox, IsNotAsWideAsAZoneFarAway) {
   Site site = MadeUp();
   site.area.keep_out = "{-9000,300:9000,300:9000,301:-9000,301}";
-  EXPECT_EQ(BoxAround(site).high, PlanePoint(12.0, 12.0));
+  EXPECT_EQ(BoxAround(site).high_W, PlanePoint(12.0, 12.0));
   EXPECT_TRUE(site.Summary().ends_with("; 1 keep-out zone beyond the drawing")) << site.Summary();
 }
 
@@ -60,8 +60,8 @@ TEST(ZonesBeyond, AreThoseOfWhichNothingIsDrawn) {
 TEST(SiteBox, HoldsARegionThatIsSaid) {
   Site site = MadeUp();
   site.area.operating_region = "{-30,-1:11,-1:11,11:-30,11}";
-  EXPECT_EQ(BoxAround(site).low, PlanePoint(-1.0, -30.0));
-  EXPECT_EQ(BoxAround(site).high, PlanePoint(11.0, 11.0)) << "a margin is not added";
+  EXPECT_EQ(BoxAround(site).low_W, PlanePoint(-1.0, -30.0));
+  EXPECT_EQ(BoxAround(site).high_W, PlanePoint(11.0, 11.0)) << "a margin is not added";
 }
 
 }  // namespace

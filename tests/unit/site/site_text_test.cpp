@@ -17,7 +17,7 @@ using testing::Not;
 Site SiteWithin(const std::string& outline, double north, double east) {
   return {.name = "made_up",
           .area = {.north_max = north, .east_max = east, .margin = 5.0, .outline = outline},
-          .start = {},
+          .start_W = {},
           .wanted_m2 = north * east,
           .path_m = 500.0,
           .speed_mps = 0.5};
@@ -40,7 +40,7 @@ TEST(SiteText, ExplainsTheLettersThatOccurAndNoOthers) {
               HasSubstr("\n: ground to be seen, . the rest of the operating region\n"));
   site.area.keep_out = "{10,10:20,10:20,20:10,20}";
   site.area.transit = "-20,-20";
-  site.start.emplace(-30.0, -30.0);
+  site.start_W.emplace(-30.0, -30.0);
   EXPECT_THAT(SiteText(site, 40),
               HasSubstr("\n: ground to be seen, . the rest of the operating region, # keep-out "
                         "zone, o way point of the transit, S start and home\n"));
@@ -53,7 +53,7 @@ TEST(SiteText, EndsWithTheSummary) {
 
 TEST(SiteText, HasNorthUpAndEastRight) {
   Site site = Square();
-  site.start.emplace(80.0, 80.0);
+  site.start_W.emplace(80.0, 80.0);
   const std::string text = SiteText(site, 40);
   const std::string first_line = text.substr(0, text.find('\n'));
   EXPECT_TRUE(first_line.ends_with("S")) << text;
