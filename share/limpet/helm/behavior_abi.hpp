@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 /// Goes up with every change of what behaviors see: Behavior, what it is given and what it returns.
-#define LIMPET_BEHAVIOR_ABI 14
+#define LIMPET_BEHAVIOR_ABI 15
 
 #define LIMPET_TEXT_OF_(x) #x
 #define LIMPET_TEXT_OF(x) LIMPET_TEXT_OF_(x)
