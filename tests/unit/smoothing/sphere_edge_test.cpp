@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -29,24 +30,43 @@ struct ShownBox {
   [[nodiscard]] bool is_empty() const { return low.x() > high.x(); }
 };
 
-/// From points of the cone that touches the sphere, those inside the image.
+/// Every pixel of the image's border as a ray (x, y, 1).
+std::vector<Eigen::Vector3d> BorderRays(const CameraModel& camera) {
+  std::vector<Eigen::Vector3d> rays;
+  const auto add = [&](double u, double v) {
+    rays.emplace_back((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
+  };
+  for (int u = 0; u <= camera.width_px; ++u)
+    add(u, 0.0), add(u, camera.height_px);
+  for (int v = 0; v <= camera.height_px; ++v)
+    add(0.0, v), add(camera.width_px, v);
+  return rays;
+}
+
+/// From points of the cone that touches the sphere, those inside the image, and what of the border
+/// it covers: of a sphere that fills the image beyond a corner the outline alone ends too soon.
 ShownBox ShownOutline(const CameraModel& camera, const SphereInView& sphere) {
   constexpr int kPoints = 20000;
   const double half = std::asin(sphere.radius / sphere.p_C.norm());
   const Eigen::Vector3d axis = sphere.p_C.normalized(), across = axis.unitOrthogonal();
   const Eigen::Vector3d other = axis.cross(across);
   ShownBox box;
+  const auto show = [&](const Eigen::Vector3d& ray) {
+    const Eigen::Vector2d px(camera.cx + camera.fx * ray.x() / ray.z(),
+                             camera.cy + camera.fy * ray.y() / ray.z());
+    box.low = box.low.cwiseMin(px), box.high = box.high.cwiseMax(px);
+  };
   for (int i = 0; i < kPoints; ++i) {
     const double turn = 2.0 * std::numbers::pi * i / kPoints;
     const Eigen::Vector3d ray =
         std::cos(half) * axis + std::sin(half) * (std::cos(turn) * across + std::sin(turn) * other);
-    const Eigen::Vector2d px(camera.cx + camera.fx * ray.x() / ray.z(),
-                             camera.cy + camera.fy * ray.y() / ray.z());
-    const bool is_inside =
-        px.x() >= 0.0 && px.x() <= camera.width_px && px.y() >= 0.0 && px.y() <= camera.height_px;
-    if (!is_inside) continue;
-    box.low = box.low.cwiseMin(px), box.high = box.high.cwiseMax(px);
+    const double u = camera.cx + camera.fx * ray.x() / ray.z();
+    const double v = camera.cy + camera.fy * ray.y() / ray.z();
+    if (u >= 0.0 && u <= camera.width_px && v >= 0.0 && v <= camera.height_px) show(ray);
   }
+  if (box.is_empty()) return box;
+  for (const Eigen::Vector3d& ray : BorderRays(camera))
+    if (ray.normalized().dot(axis) > std::cos(half)) show(ray);
   return box;
 }
 
