@@ -12,16 +12,16 @@ namespace limpet {
 /// follow and it would only push further.
 class IntegralTerm {
  public:
-  struct Gains {
+  struct Params {
     double gain = 0.0;
     double limit = 0.0;
   };
-  explicit IntegralTerm(const Gains& gains) : gains_(gains) {}
+  explicit IntegralTerm(const Params& params) : params_(params) {}
 
   /// What the integral adds after `dt` more of `error`; in the unit of `limit`.
   double Update(double error, Seconds dt, bool is_saturated) {
     const double next =
-        std::clamp(value_ + gains_.gain * error * dt.value(), -gains_.limit, gains_.limit);
+        std::clamp(value_ + params_.gain * error * dt.value(), -params_.limit, params_.limit);
     if (!is_saturated || std::abs(next) < std::abs(value_)) value_ = next;
     return value_;
   }
@@ -29,7 +29,7 @@ class IntegralTerm {
   [[nodiscard]] double value() const { return value_; }
 
  private:
-  Gains gains_;
+  Params params_;
   double value_ = 0.0;
 };
 

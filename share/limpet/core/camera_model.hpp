@@ -27,7 +27,7 @@ struct CameraModel {
 
   /// Full angles over the image's width and height [rad].
   struct FieldOfView {
-    double across = RadiansFromDegrees(80.0), along = RadiansFromDegrees(60.0);
+    double across = 0.0, along = 0.0;
   };
   /// Model of an image whose middle is the optical axis.
   [[nodiscard]] static CameraModel FromFieldOfView(int width_px, int height_px,

@@ -103,8 +103,8 @@ struct SafetyRule {
     double value = 0.0, limit = 0.0;
   };
   /// How far a value is inside the limit: below 0 beyond it.
-  [[nodiscard]] double Margin(const Measured& is) const {
-    return side == Side::kAbove ? is.limit - is.value : is.value - is.limit;
+  [[nodiscard]] double Margin(const Measured& measured) const {
+    return side == Side::kAbove ? measured.limit - measured.value : measured.value - measured.limit;
   }
 };
 
