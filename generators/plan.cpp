@@ -13,6 +13,8 @@ namespace {
 class PlanGenerator final : public OptionGenerator {
  public:
   struct Params {
+    /// Above TourGoal's: ground that a plan leaves out at its end is fetched by detours, if at all,
+    /// and costs less where the plan is laid for it from the first (docs/coverage.md).
     double finish_share = 0.99;
     MissionPlanParams plan;
     template <class Visitor>

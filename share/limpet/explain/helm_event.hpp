@@ -34,7 +34,7 @@ class HelmEvents {
   void Take(const LoggedWord& word, double time);
 
   [[nodiscard]] const std::vector<HelmEvent>& events() const { return events_; }
-  /// Those after `begin`, until `end`.
+  /// Those after the low end of a span of times [s], until its high end.
   [[nodiscard]] std::span<const HelmEvent> Between(const Interval& span) const;
 
  private:

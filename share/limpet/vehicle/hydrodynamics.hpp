@@ -47,8 +47,7 @@ struct Immersion {
   double half_height = 1.0;  ///< of itself [m]
 };
 /// Share of its volume that is under water: the cap of an ellipsoid, (2 + 3 z - z^3) / 4 with z =
-/// depth / half_height in
-/// [-1, 1]. Once continuously differentiable.
+/// depth / half_height in [-1, 1]. Once continuously differentiable.
 [[nodiscard]] double SubmergedShare(const Immersion& ellipsoid);
 
 /// Depth of the origin at which the vehicle floats level and at rest.
