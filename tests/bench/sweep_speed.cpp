@@ -76,7 +76,7 @@ Rates Sweep(Workspace& workspace, const SurveyArea& area, double bytes, Value va
     const Pose2 from{.north = random.Uniform(0.0, area.north_max),
                      .east = random.Uniform(0.0, area.east_max),
                      .yaw = random.Uniform(-std::numbers::pi, std::numbers::pi)};
-    const std::size_t mark = workspace.Mark();
+    const auto mark = workspace.Mark();
     shown += value(from, PathSegment{.curvature = kCurvature * static_cast<double>(i % 3 - 1),
                                      .length = kLength});
     workspace.Rewind(mark);

@@ -18,6 +18,7 @@ constexpr double kFinestCell = 0.25;  // [m]
 constexpr double kMostRasterCells = 2.5e5;
 constexpr double kShortestPiece = 1.0;    // below it dividing costs more than an exact test [m]
 constexpr double kRasterRounding = 1e-4;  // [m] of clearances kept as floats
+constexpr double kNoCurve = 1e-9;        // [1/m]
 
 }  // namespace
 
@@ -26,6 +27,24 @@ double Fence::Clearance(const PlanePoint& at) const {
   if (!holds_in) return -depth - distance;
   return reaches_over ? depth + distance : depth - distance;
 }
+
+/// An arc or a line of no end: places on it cost a sine at most.
+struct FreeSpace::Track {
+  Pose2 from;
+  double curvature;
+  PlanePoint along_W;  ///< unit vector of the course at the start
+  Track(const Pose2& start, double curved)
+      : from(start), curvature(curved), along_W(std::cos(start.yaw), std::sin(start.yaw)) {}
+
+  [[nodiscard]] PlanePoint At(double length) const {
+    const PlanePoint start_W(from.north, from.east);
+    if (std::abs(curvature) < kNoCurve) return start_W + length * along_W;
+    const double half_turn = 0.5 * curvature * length;
+    const double sin = std::sin(half_turn), cos = std::cos(half_turn);
+    const PlanePoint aside_W(-along_W.y(), along_W.x());
+    return start_W + 2.0 * sin / curvature * (cos * along_W + sin * aside_W);
+  }
+};
 
 PlanePoint FreeSpace::Raster::Center(std::size_t cell) const {
   const auto width = static_cast<std::size_t>(columns);
@@ -104,17 +123,18 @@ bool FreeSpace::HasClearance(const PlanePoint& at, double least) const {
   return bounds.high >= least && Clearance(at) >= least;
 }
 
-bool FreeSpace::IsPieceInside(const Pose2& from, const PathSegment& piece) const {
-  const double half = 0.5 * piece.length;
-  const Pose2 middle = Advance(from, {.curvature = piece.curvature, .length = half});
-  const PlanePoint at(middle.north, middle.east);
-  if (HasClearance(at, half)) return true;
-  if (BoundsAt(at).high < -kTouch) return false;
-  if (piece.length > kShortestPiece) {
-    return IsPieceInside(from, {piece.curvature, half}) &&
-           IsPieceInside(middle, {piece.curvature, half});
+bool FreeSpace::IsInside(const Track& track, const Interval& piece) const {
+  const double middle = 0.5 * (piece.low + piece.high), half = 0.5 * (piece.high - piece.low);
+  const PlanePoint at = track.At(middle);
+  const Bounds bounds = BoundsAt(at);
+  if (bounds.low >= half) return true;
+  if (bounds.high < -kTouch) return false;
+  if (2.0 * half > kShortestPiece) {
+    return IsInside(track, {piece.low, middle}) && IsInside(track, {middle, piece.high});
   }
-  return IsInsideBetweenMeetings(from, piece);
+  if (HasClearance(at, half)) return true;
+  return IsInsideBetweenMeetings(Advance(track.from, {track.curvature, piece.low}),
+                                 {.curvature = track.curvature, .length = 2.0 * half});
 }
 
 bool FreeSpace::IsInsideBetweenMeetings(const Pose2& from, const PathSegment& piece) const {
@@ -140,7 +160,7 @@ bool FreeSpace::IsInsideBetweenMeetings(const Pose2& from, const PathSegment& pi
 bool FreeSpace::Contains(const Pose2& from, const PathSegment& segment) const {
   const Pose2 end = Advance(from, segment);
   return Contains({from.north, from.east}) && Contains({end.north, end.east}) &&
-         IsPieceInside(from, segment);
+         IsInside(Track(from, segment.curvature), {0.0, segment.length});
 }
 
 }  // namespace limpet

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "limpet/core/interval.hpp"
 #include "limpet/planning/pose2.hpp"
 #include "limpet/survey/survey_shape.hpp"
 #include "limpet/topics/mission.hpp"
@@ -73,7 +74,8 @@ class FreeSpace {
   };
   /// Bounds of the clearance at a place, as the raster knows it [m].
   [[nodiscard]] Bounds BoundsAt(const PlanePoint& at) const;
-  [[nodiscard]] bool IsPieceInside(const Pose2& from, const PathSegment& piece) const;
+  struct Track;
+  [[nodiscard]] bool IsInside(const Track& track, const Interval& piece) const;
   /// Exact: of a piece that may meet a border.
   [[nodiscard]] bool IsInsideBetweenMeetings(const Pose2& from, const PathSegment& piece) const;
   void FillRaster();

@@ -27,7 +27,7 @@ class ExactOrder {
     leg_.assign(nodes_.size() * nodes_.size(), kInfinite);
     for (std::size_t from = 0; from < nodes_.size(); ++from) {
       for (std::size_t to = 0; to < nodes_.size(); ++to) {
-        if (from / 2 != to / 2) Leg(from, to) = Way(nodes_[from].out(), nodes_[to]);
+        if (from / 2 != to / 2 && Leg(from, to) == kInfinite) FillLeg(from, to);
       }
     }
   }
@@ -37,7 +37,8 @@ class ExactOrder {
     best_.assign(sets_ * count, kInfinite);
     came_from_.assign(sets_ * count, 0);
     for (std::size_t node = 0; node < count; ++node) {
-      Best(std::size_t{1} << (node / 2), node) = Way(start_, nodes_[node]);
+      Best(std::size_t{1} << (node / 2), node) =
+          PriceOfLink(start_, nodes_[node]) + nodes_[node].length;
     }
     for (std::size_t set = 1; set < sets_; ++set) {
       for (std::size_t last = 0; last < count; ++last) {
@@ -48,11 +49,19 @@ class ExactOrder {
   }
 
  private:
+  static std::size_t OtherWay(std::size_t node) { return node ^ 1U; }
   double& Leg(std::size_t from, std::size_t to) { return leg_[from * nodes_.size() + to]; }
   double& Best(std::size_t set, std::size_t last) { return best_[set * nodes_.size() + last]; }
 
-  [[nodiscard]] double Way(const Pose2& from, const Pass& to) const {
-    return LinkBetween(from, to.in, judge_.region(), judge_.turn_radius()).Price() + to.length;
+  [[nodiscard]] double PriceOfLink(const Pose2& from, const Pass& to) const {
+    return LinkBetween(from, to.in, judge_.region(), judge_.turn_radius()).Price();
+  }
+
+  /// And its leg the other way round: that link is this one flown backwards.
+  void FillLeg(std::size_t from, std::size_t to) {
+    const double price = PriceOfLink(nodes_[from].out(), nodes_[to]);
+    Leg(from, to) = price + nodes_[to].length;
+    Leg(OtherWay(to), OtherWay(from)) = price + nodes_[from].length;
   }
 
   void GoOn(std::size_t set, std::size_t last) {

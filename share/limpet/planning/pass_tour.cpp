@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kRounds = 6;
 constexpr std::size_t kLongestMove = 3;
+constexpr double kUnknown = -1.0;
 
 class Salesman {
  public:
@@ -20,11 +21,13 @@ class Salesman {
     for (const Stop& stop : stops) {
       first_pass_.push_back(pass_count_);
       pass_count_ += stop.size();
+      is_either_way_.push_back(stop.size() == 2 && stop[1] == stop[0].Reversed());
     }
-    cost_.assign((pass_count_ + 1) * pass_count_, 0.0);
+    cost_.assign((pass_count_ + 1) * pass_count_, kUnknown);
     for (std::size_t to = 0; to < stops.size(); ++to) {
       for (std::size_t b = 0; b < stops[to].size(); ++b) {
-        Cost(pass_count_, first_pass_[to] + b) = Leg(start, stops[to][b]);
+        Cost(pass_count_, first_pass_[to] + b) =
+            PriceOfLink(start, stops[to][b]) + stops[to][b].length;
         FillFrom(to, b);
       }
     }
@@ -47,14 +50,19 @@ class Salesman {
   void FillFrom(std::size_t to, std::size_t b) {
     for (std::size_t from = 0; from < stops_.size(); ++from) {
       for (std::size_t a = 0; from != to && a < stops_[from].size(); ++a) {
-        Cost(first_pass_[from] + a, first_pass_[to] + b) =
-            Leg(stops_[from][a].out(), stops_[to][b]);
+        double& cost = Cost(first_pass_[from] + a, first_pass_[to] + b);
+        if (cost != kUnknown) continue;
+        const double price = PriceOfLink(stops_[from][a].out(), stops_[to][b]);
+        cost = price + stops_[to][b].length;
+        if (!is_either_way_[from] || !is_either_way_[to]) continue;
+        // Flown backwards, it links the two passes the other way round.
+        Cost(first_pass_[to] + 1 - b, first_pass_[from] + 1 - a) = price + stops_[from][a].length;
       }
     }
   }
 
-  [[nodiscard]] double Leg(const Pose2& from, const Pass& to) const {
-    return LinkBetween(from, to.in, region_, turn_radius_).Price() + to.length;
+  [[nodiscard]] double PriceOfLink(const Pose2& from, const Pass& to) const {
+    return LinkBetween(from, to.in, region_, turn_radius_).Price();
   }
 
   std::vector<std::size_t> NearestNeighbour() {
@@ -186,6 +194,7 @@ class Salesman {
   const Region& region_;
   Meters turn_radius_;
   std::vector<std::size_t> first_pass_;
+  std::vector<bool> is_either_way_;  ///< of each stop: its passes are one, as it is and reversed
   std::size_t pass_count_ = 0;
   std::vector<double> cost_;  ///< from pass (last row: the start) to pass
   std::vector<double> before_, now_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "limpet/core/interval.hpp"
 
@@ -14,19 +15,10 @@ namespace {
 constexpr double kStep = 1.0;
 constexpr double kOverlap = 1.0;  ///< of what a motion shows with what it starts from [cells]
 constexpr double kParallel = 1e-9;
-constexpr double kStraightest = 1e-9;  ///< [1/m]
+constexpr double kStraightest = 1e-9;     ///< [1/m]
+constexpr std::size_t kFirstRoom = 1024;  ///< of a log
 
 constexpr std::array kLayerOf{0, Footprint::kLayers - 1};
-
-/// The least integer that is no less than `x` or 0: faster than std::ceil on plain x86-64.
-int CeilFromZero(double x) {
-  if (x <= 0.0) return 0;
-  const int whole = static_cast<int>(x);
-  return whole + (x > whole ? 1 : 0);
-}
-
-/// The greatest integer that is no greater than `x`, or -1.
-int FloorFromZero(double x) { return x < 0.0 ? -1 : static_cast<int>(x); }
 
 /// The number of bits that are set. Inline: without the instruction, which plain x86-64 lacks,
 /// std::popcount is a call.
@@ -37,26 +29,22 @@ int CountOf(std::uint64_t bits) {
   return static_cast<int>(bits * 0x0101010101010101U >> 56U);
 }
 
-/// A band of the plane, |offset + slope x| <= half, whose offset grows from row to row.
+/// A band of the plane, |offset + slope x| <= half, whose offset grows from row to row: in the row
+/// at `y` it covers x from `middle y - reach` to `middle y + reach`.
 struct Strip {
-  double slope, half;
-  double inverse;  ///< 1 / slope; 0 if there is none
-  Strip(double slope_of, double half_of)
-      : slope(slope_of),
-        half(half_of),
-        inverse(std::abs(slope_of) > kParallel ? 1.0 / slope_of : 0.0) {}
-
-  /// Keeps of `x` what is inside where the offset is this.
-  void Cut(double offset, Interval& x) const {
-    if (inverse == 0.0) {
-      if (std::abs(offset) > half) x = {1.0, -1.0};
-      return;
-    }
-    const double middle = -offset * inverse, reach = half * std::abs(inverse);
-    x.low = std::max(x.low, middle - reach);
-    x.high = std::min(x.high, middle + reach);
+  double middle = 0.0, reach = std::numeric_limits<double>::infinity();
+  Strip(double slope, double half, double offset_per_row) {
+    if (std::abs(slope) <= kParallel) return;  // it covers whole rows
+    middle = -offset_per_row / slope;
+    reach = half / std::abs(slope);
   }
 };
+
+/// Rows whose ends are reckoned at a time, so that the compiler takes several at once.
+constexpr int kRowsAtOnce = 32;
+/// Added before numbers are cut to integers, and taken off again: below 0, too, they are rounded
+/// down. More columns than a grid has.
+constexpr int kBias = 1 << 24;
 
 }  // namespace
 
@@ -68,13 +56,13 @@ SeenPlanes::SeenPlanes(const Ground& ground)
     images_[plane] = {.half_along = footprint.half_along(kLayerOf[plane]) / frame_.cell_m,
                       .half_across = footprint.half_across(kLayerOf[plane]) / frame_.cell_m};
     planes_[plane].resize(words_per_row_ * static_cast<std::size_t>(frame_.rows));
+    logs_[plane].resize(kFirstRoom);
   }
-  log_.reserve(1024);
   Reset(ground);
 }
 
 void SeenPlanes::Reset(const Ground& ground) {
-  log_.clear();
+  noted_ = {};
   if (version_ != ground.version()) Copy(ground);
   for (std::size_t plane = 0; plane < kPlanes; ++plane) {
     std::ranges::copy(copied_[plane], planes_[plane].begin());
@@ -167,15 +155,23 @@ void SeenPlanes::Show(std::size_t plane, const Place& middle, const Image& image
   const int row_begin = std::max(0, static_cast<int>(std::ceil(north - reach_n)));
   const int row_end = std::min(frame_.rows, static_cast<int>(std::floor(north + reach_n)) + 1);
   // Forward: dn c + de s; starboard: -dn s + de c.
-  const Strip along(s, image.half_along), across(c, image.half_across);
-  for (int row = row_begin; row < row_end; ++row) {
-    const double dn = row - north;
-    Interval de{-reach_e, reach_e};
-    along.Cut(dn * c, de);
-    across.Cut(-dn * s, de);
-    const int begin = CeilFromZero(east + de.low);
-    const int end = std::min(frame_.columns, FloorFromZero(east + de.high) + 1);
-    if (begin < end) SetRun(plane, row, begin, end);
+  const Strip along(s, image.half_along, c), across(c, image.half_across, -s);
+  const Interval inside{std::max(-reach_e, -east), std::min(reach_e, frame_.columns - 1 - east)};
+  Reserve(plane, static_cast<std::size_t>(std::max(0, row_end - row_begin)) * words_per_row_);
+  std::array<int, kRowsAtOnce> begins{}, ends{};
+  for (int first = row_begin; first < row_end; first += kRowsAtOnce) {
+    const int rows = std::min(kRowsAtOnce, row_end - first);
+    for (int i = 0; i < rows; ++i) {
+      const double dn = first + i - north;
+      const double a = along.middle * dn, b = across.middle * dn;
+      const double low = std::max(std::max(a - along.reach, b - across.reach), inside.low);
+      const double high = std::min(std::min(a + along.reach, b + across.reach), inside.high);
+      begins[i] = kBias - static_cast<int>(kBias - (east + low));
+      ends[i] = static_cast<int>(kBias + east + high) - kBias + 1;
+    }
+    for (int i = 0; i < rows; ++i) {
+      if (begins[i] < ends[i]) SetRun(plane, first + i, begins[i], ends[i]);
+    }
   }
 }
 
@@ -195,15 +191,36 @@ void SeenPlanes::SetRun(std::size_t plane, int row, int begin, int end) {
   SetBits(plane, last, until);
 }
 
+/// Whether any are new is a coin's toss: they are noted, and the note is kept if they are.
 void SeenPlanes::SetBits(std::size_t plane, std::size_t word, std::uint64_t bits) {
   std::uint64_t& seen = planes_[plane][word];
   const std::uint64_t added = bits & ~seen;
-  if (added == 0) return;
-  log_.push_back({.word = static_cast<std::uint32_t>(word),
-                  .plane = static_cast<std::uint32_t>(plane),
-                  .before = seen});
+  logs_[plane][noted_[plane]] = {.word = word, .bits = added};
+  noted_[plane] += added != 0 ? 1 : 0;
   seen |= added;
   unseen_[plane] -= CountOf(added);
+}
+
+void SeenPlanes::Reserve(std::size_t plane, std::size_t more) {
+  const std::size_t needed = noted_[plane] + more;
+  if (needed > logs_[plane].size()) logs_[plane].resize(2 * needed);
+}
+
+void SeenPlanes::See(std::size_t plane, std::span<const Bits> cells) {
+  Reserve(plane, cells.size());
+  std::uint64_t* const words = planes_[plane].data();
+  Bits* const log = logs_[plane].data();
+  std::size_t noted = noted_[plane];
+  int count = 0;
+  for (const auto& [word, bits] : cells) {
+    const std::uint64_t added = bits & ~words[word];
+    words[word] |= added;
+    log[noted] = {.word = word, .bits = added};
+    noted += added != 0 ? 1 : 0;
+    count += CountOf(added);
+  }
+  noted_[plane] = noted;
+  unseen_[plane] -= count;
 }
 
 PlanePoint SeenPlanes::NthUnseen(std::size_t plane, int n) const {
@@ -222,14 +239,14 @@ PlanePoint SeenPlanes::NthUnseen(std::size_t plane, int n) const {
           frame_.east_min + (column + 0.5) * frame_.cell_m};
 }
 
-void SeenPlanes::Rewind(std::size_t mark) {
-  while (log_.size() > mark) {
-    const Change& change = log_.back();
-    std::uint64_t& seen = planes_[change.plane][change.word];
-    unseen_[change.plane] += CountOf(seen & ~change.before);
-    seen = change.before;
-    log_.pop_back();
+void SeenPlanes::Rewind(const Moment& then) {
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    for (const auto& [word, bits] : Since(plane, then.noted[plane])) {
+      planes_[plane][word] &= ~bits;
+    }
   }
+  noted_ = then.noted;
+  unseen_ = then.unseen;
 }
 
 }  // namespace limpet

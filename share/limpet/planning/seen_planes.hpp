@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "limpet/planning/ground.hpp"
@@ -23,6 +24,17 @@ class SeenPlanes {
   static constexpr std::size_t kBottom = 0, kTop = 1, kPlanes = 2;
   using Counts = std::array<int, kPlanes>;
 
+  /// Cells of a plane: bits of one of its words.
+  struct Bits {
+    std::size_t word = 0;
+    std::uint64_t bits = 0;
+  };
+  /// A moment to go back to.
+  struct Moment {
+    std::array<std::size_t, kPlanes> noted{};  ///< cells of each plane's log
+    Counts unseen{};
+  };
+
   explicit SeenPlanes(const Ground& ground);
   /// Takes over the ground's present state and forgets all motions. REQUIRES: the same ground.
   void Reset(const Ground& ground);
@@ -35,9 +47,16 @@ class SeenPlanes {
   /// `from` does: that has been looked at before.
   void Sweep(const Pose2& from, const PathSegment& segment);
 
-  [[nodiscard]] std::size_t Mark() const { return log_.size(); }
-  /// Takes back everything since `mark`.
-  void Rewind(std::size_t mark);
+  /// Sees these cells of `plane`.
+  void See(std::size_t plane, std::span<const Bits> cells);
+
+  [[nodiscard]] Moment Mark() const { return {.noted = noted_, .unseen = unseen_}; }
+  /// What of `plane` has newly been seen since `noted`, as Moment counts. Good until more is seen.
+  [[nodiscard]] std::span<const Bits> Since(std::size_t plane, std::size_t noted) const {
+    return std::span(logs_[plane]).subspan(noted, noted_[plane] - noted);
+  }
+  /// Takes back everything since then.
+  void Rewind(const Moment& then);
 
   /// Centre of the cell of `plane` that is the `n`-th that is not seen, row by row.
   /// REQUIRES: n < unseen()[plane].
@@ -57,11 +76,6 @@ class SeenPlanes {
   }
 
  private:
-  struct Change {
-    std::uint32_t word = 0;
-    std::uint32_t plane = 0;
-    std::uint64_t before = 0;
-  };
   struct Image {
     double half_along = 0.0, half_across = 0.0;  ///< [cells]
   };
@@ -85,6 +99,8 @@ class SeenPlanes {
   void LookAhead(std::size_t plane, const Place& at, const Stretch& stretch);
   void Show(std::size_t plane, const Place& middle, const Image& image);
   void SetRun(std::size_t plane, int row, int begin, int end);
+  /// Makes room in the log for `more`.
+  void Reserve(std::size_t plane, std::size_t more);
   void SetBits(std::size_t plane, std::size_t word, std::uint64_t bits);
   void Copy(const Ground& ground);
 
@@ -97,7 +113,9 @@ class SeenPlanes {
   std::array<std::vector<std::uint64_t>, kPlanes> copied_;
   Counts unseen_as_copied_{};
   std::optional<std::uint64_t> version_;
-  std::vector<Change> log_;
+  /// What has newly been seen, in order, and room for more.
+  std::array<std::vector<Bits>, kPlanes> logs_;
+  std::array<std::size_t, kPlanes> noted_{};  ///< how much of each log is taken
 };
 
 }  // namespace limpet

@@ -9,8 +9,6 @@
 namespace limpet {
 namespace {
 
-constexpr double kPiece = 4.0;      ///< passes are counted in pieces of this length [m]
-constexpr double kTurnPiece = 2.0;  ///< turns in these [m]
 /// Way for a metre of useful track that a tour lacks: more than it takes to fetch it, so that tours
 /// finish where they can.
 constexpr double kFetchPrice = 12.0;
@@ -39,12 +37,14 @@ TourJudge::TourJudge(const Ground& ground, const Region& region, Meters turn_rad
       turn_radius_(turn_radius),
       links_(region, turn_radius),
       planes_(ground),
+      sweeps_(ground),
       cell_m2_(ground.frame().cell_m * ground.frame().cell_m),
       wanted_cells_(static_cast<double>(ground.wanted_cells())) {}
 
 void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
   goal_ = goal;
   planes_.Reset(ground_);
+  sweeps_.Reset(ground_);
   may_stay_ = static_cast<int>((1.0 - goal.finish_share) * wanted_cells_);
   most_may_stay_[SeenPlanes::kTop] = static_cast<int>((1.0 - kMostOfTop) * wanted_cells_);
   most_may_stay_[SeenPlanes::kBottom] = static_cast<int>((1.0 - kMostOfBottom) * wanted_cells_);
@@ -61,7 +61,7 @@ void TourJudge::Reset(const DubinsPath& way, const TourGoal& goal) {
     if (!base_.is_finished) base_.is_finished = Fly(base_.end, segment, base_.cost);
     base_.end = Advance(base_.end, segment);
   }
-  base_.seen_mark = planes_.Mark();
+  base_.seen = planes_.Mark();
   base_.others_mark = others_ ? others_->Mark() : 0;
 }
 
@@ -69,7 +69,7 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
   Stage stage = Rejoin(tour);
   while (!stage.is_finished && stages_.size() < tour.size()) {
     FlyPass(tour[stages_.size()], stage);
-    stage.seen_mark = planes_.Mark();
+    stage.seen = planes_.Mark();
     stage.others_mark = others_ ? others_->Mark() : 0;
     stages_.push_back(stage);
   }
@@ -95,7 +95,7 @@ TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {
   }
   stages_.resize(shared);
   const Stage& stage = shared > 0 ? stages_.back() : base_;
-  planes_.Rewind(stage.seen_mark);
+  planes_.Rewind(stage.seen);
   if (others_) others_->Rewind(stage.others_mark);
   return stage;
 }
@@ -116,20 +116,19 @@ void TourJudge::FlyPass(const Pass& pass, Stage& stage) {
 }
 
 bool TourJudge::Fly(const Pose2& from, const PathSegment& segment, TourCost& cost) {
-  const double longest = segment.curvature == 0.0 ? kPiece : kTurnPiece;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(segment.length / longest)));
-  const PathSegment piece{.curvature = segment.curvature, .length = segment.length / pieces};
-  for (int i = 0; i < pieces; ++i) {
-    if (FlyPiece(Advance(from, {.curvature = segment.curvature, .length = piece.length * i}), piece,
-                 cost))
-      return true;
+  const SweptMotion& motion = sweeps_.Of(from, segment);
+  for (std::size_t i = 0; i < motion.pieces.size(); ++i) {
+    if (FlyPiece(motion, i, cost)) return true;
   }
   return false;
 }
 
-bool TourJudge::FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost) {
+bool TourJudge::FlyPiece(const SweptMotion& motion, std::size_t i, TourCost& cost) {
+  const auto& [from, piece, shown_end] = motion.pieces[i];
   const SeenPlanes::Counts before = planes_.unseen();
-  planes_.Sweep(from, piece);
+  for (std::size_t plane = 0; plane < SeenPlanes::kPlanes; ++plane) {
+    planes_.See(plane, motion.ShownBy(i, plane));
+  }
   const SeenPlanes::Counts& after = planes_.unseen();
   const double middle = cost.length + 0.5 * piece.length;
   const double bottom_weight = ground_.weights()[0];

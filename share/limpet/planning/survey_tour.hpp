@@ -14,6 +14,7 @@
 #include "limpet/planning/path_valuer.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/seen_planes.hpp"
+#include "limpet/planning/sweep_memory.hpp"
 #include "limpet/topics/energy.hpp"
 
 namespace limpet {
@@ -98,7 +99,8 @@ class TourJudge {
     Pose2 end;
     TourCost cost;
     bool is_finished = false;
-    std::size_t seen_mark = 0, others_mark = 0;
+    SeenPlanes::Moment seen;
+    std::size_t others_mark = 0;
   };
   /// Goes back to where `tour` parts from the tour flown last.
   [[nodiscard]] Stage Rejoin(const SurveyTour& tour);
@@ -106,13 +108,14 @@ class TourJudge {
   [[nodiscard]] bool Fly(const Pose2& from, const PathSegment& segment, TourCost& cost);
   /// Counts as much of the piece as is flown before most has been seen.
   void NoteMost(const SeenPlanes::Counts& before, double piece, TourCost& cost) const;
-  [[nodiscard]] bool FlyPiece(const Pose2& from, const PathSegment& piece, TourCost& cost);
+  [[nodiscard]] bool FlyPiece(const SweptMotion& motion, std::size_t i, TourCost& cost);
 
   const Ground& ground_;
   const Region& region_;
   Meters turn_radius_;
   LinkMemory links_;
   SeenPlanes planes_;
+  SweepMemory sweeps_;
   TourGoal goal_;
   int may_stay_ = 0;                    ///< cells of the top that may be left
   SeenPlanes::Counts most_may_stay_{};  ///< cells unseen when most of them have been seen

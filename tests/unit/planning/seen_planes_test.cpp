@@ -67,10 +67,10 @@ TEST(SeenPlanes, AreAsBeforeAfterRewind) {
   SeenPlanes planes(half.ground);
   planes.Sweep({0.0, 0.0, 0.3}, {.curvature = 0.0, .length = 10.0});
   const SeenPlanes::Counts kept = planes.unseen();
-  const std::size_t mark = planes.Mark();
+  const SeenPlanes::Moment then = planes.Mark();
   planes.Sweep({5.0, 0.0, 1.3}, {.curvature = 0.3, .length = 10.0});
   ASSERT_NE(planes.unseen(), kept);
-  planes.Rewind(mark);
+  planes.Rewind(then);
   EXPECT_EQ(planes.unseen(), kept);
 }
 
