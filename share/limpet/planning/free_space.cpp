@@ -18,7 +18,7 @@ constexpr double kFinestCell = 0.25;  // [m]
 constexpr double kMostRasterCells = 2.5e5;
 constexpr double kShortestPiece = 1.0;    // below it dividing costs more than an exact test [m]
 constexpr double kRasterRounding = 1e-4;  // [m] of clearances kept as floats
-constexpr double kNoCurve = 1e-9;        // [1/m]
+constexpr double kNoCurve = 1e-9;         // [1/m]
 
 }  // namespace
 

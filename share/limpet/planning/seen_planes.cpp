@@ -29,14 +29,14 @@ int CountOf(std::uint64_t bits) {
   return static_cast<int>(bits * 0x0101010101010101U >> 56U);
 }
 
-/// A band of the plane, |offset + slope x| <= half, whose offset grows from row to row: in the row
-/// at `y` it covers x from `middle y - reach` to `middle y + reach`.
+/// A band of the plane across `normal`, |normal . (y, x)| <= half: in the row at `y` it covers the
+/// x from `middle y - reach` to `middle y + reach`.
 struct Strip {
   double middle = 0.0, reach = std::numeric_limits<double>::infinity();
-  Strip(double slope, double half, double offset_per_row) {
-    if (std::abs(slope) <= kParallel) return;  // it covers whole rows
-    middle = -offset_per_row / slope;
-    reach = half / std::abs(slope);
+  Strip(const PlanePoint& normal, double half) {
+    if (std::abs(normal.y()) <= kParallel) return;  // it covers whole rows
+    middle = -normal.x() / normal.y();
+    reach = half / std::abs(normal.y());
   }
 };
 
@@ -154,8 +154,7 @@ void SeenPlanes::Show(std::size_t plane, const Place& middle, const Image& image
   const double reach_e = std::abs(s) * image.half_along + std::abs(c) * image.half_across;
   const int row_begin = std::max(0, static_cast<int>(std::ceil(north - reach_n)));
   const int row_end = std::min(frame_.rows, static_cast<int>(std::floor(north + reach_n)) + 1);
-  // Forward: dn c + de s; starboard: -dn s + de c.
-  const Strip along(s, image.half_along, c), across(c, image.half_across, -s);
+  const Strip along({c, s}, image.half_along), across({-s, c}, image.half_across);
   const Interval inside{std::max(-reach_e, -east), std::min(reach_e, frame_.columns - 1 - east)};
   Reserve(plane, static_cast<std::size_t>(std::max(0, row_end - row_begin)) * words_per_row_);
   std::array<int, kRowsAtOnce> begins{}, ends{};

@@ -34,9 +34,9 @@ struct SweptMotion {
 };
 
 /// What motions over a ground show. Tours that are compared differ in a motion or two, and to find
-/// the cells in a motion's images takes ten times as long as to count which of them are new: they
-/// are found once. Of motions that fall into the same place the newest stays, so that its size does
-/// not grow.
+/// the cells in a motion's images takes much longer than to count which of them are new: they are
+/// found once. Of motions that fall into the same place the newest stays, so that its size does not
+/// grow.
 class SweepMemory {
  public:
   explicit SweepMemory(const Ground& ground) : blank_(ground), known_(kPlaces) { Reset(ground); }
