@@ -42,7 +42,7 @@ struct GroundRates {
   }
 };
 /// Those of surveys that say nothing: BHV_CoverArea bids by them and tours are made by them.
-inline constexpr GroundRates kSurveyRates{.cover = 1.0, .frontier = 0.5, .early = 1.5, .most = 2.5};
+inline constexpr GroundRates kSurveyRates{.cover = 1.0, .frontier = 0.5, .early = 1.5, .most = 5.0};
 
 /// What a path is worth, in metres of path (docs/references.md):
 ///   U = cover newArea / swath - frontier dFrontier - length + sum value_i (1 - s_i / decay)
