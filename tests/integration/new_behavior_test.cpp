@@ -160,7 +160,7 @@ TEST(NewBehavior, OfHalfTheWeightDrawsTheVehicleWhereItWantsIt) {
 /// Bids alone choose among plans: no search seeks what they like, so they must outweigh what the
 /// other plans are worse.
 TEST(NewBehavior, ThatOnlyBidsTurnsTheVehicleWhereItOutbidsTheDifferenceOfPlans) {
-  const std::vector<double> drawn = DrawnBy(BlockOf("BHV_TestPreferNorth", 4.0), "", 6, kTurned);
+  const std::vector<double> drawn = DrawnBy(BlockOf("BHV_TestPreferNorth", 8.0), "", 6, kTurned);
   EXPECT_GT(std::ranges::count_if(drawn, [](double share) { return share != 0.0; }), 1);
   EXPECT_GT(std::accumulate(drawn.begin(), drawn.end(), 0.0), 0.0);
 }

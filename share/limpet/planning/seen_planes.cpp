@@ -41,7 +41,7 @@ struct Strip {
 };
 
 /// Rows whose ends are reckoned at a time, so that the compiler takes several at once.
-constexpr int kRowsAtOnce = 32;
+constexpr std::size_t kRowsAtOnce = 32;
 /// Added before numbers are cut to integers, and taken off again: below 0, too, they are rounded
 /// down. More columns than a grid has.
 constexpr int kBias = 1 << 24;
@@ -158,18 +158,18 @@ void SeenPlanes::Show(std::size_t plane, const Place& middle, const Image& image
   const Interval inside{std::max(-reach_e, -east), std::min(reach_e, frame_.columns - 1 - east)};
   Reserve(plane, static_cast<std::size_t>(std::max(0, row_end - row_begin)) * words_per_row_);
   std::array<int, kRowsAtOnce> begins{}, ends{};
-  for (int first = row_begin; first < row_end; first += kRowsAtOnce) {
-    const int rows = std::min(kRowsAtOnce, row_end - first);
-    for (int i = 0; i < rows; ++i) {
-      const double dn = first + i - north;
+  for (int first = row_begin; first < row_end; first += static_cast<int>(kRowsAtOnce)) {
+    const std::size_t rows = std::min(kRowsAtOnce, static_cast<std::size_t>(row_end - first));
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double dn = first + static_cast<int>(i) - north;
       const double a = along.middle * dn, b = across.middle * dn;
-      const double low = std::max(std::max(a - along.reach, b - across.reach), inside.low);
-      const double high = std::min(std::min(a + along.reach, b + across.reach), inside.high);
+      const double low = std::max({a - along.reach, b - across.reach, inside.low});
+      const double high = std::min({a + along.reach, b + across.reach, inside.high});
       begins[i] = kBias - static_cast<int>(kBias - (east + low));
       ends[i] = static_cast<int>(kBias + east + high) - kBias + 1;
     }
-    for (int i = 0; i < rows; ++i) {
-      if (begins[i] < ends[i]) SetRun(plane, first + i, begins[i], ends[i]);
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (begins[i] < ends[i]) SetRun(plane, first + static_cast<int>(i), begins[i], ends[i]);
     }
   }
 }
