@@ -89,6 +89,7 @@ Cost Fly(const SurveyArea& area, double altitude, double way) {
     spent += took;
     cost.longest = std::max(cost.longest, took);
     const DubinsPath path = planner.path().Prefix(params.replan_every.value() + 0.5);
+    if (path.length() <= 0.0) break;  // it is at the end
     path.Sample(0.25, [&](const Pose2& pose, double) {
       nav.north = pose.north, nav.east = pose.east, nav.yaw = pose.yaw;
       grid.Observe({{nav.north, nav.east, nav.down}, 0.0, 0.0, nav.yaw}, altitude, CameraModel{});

@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "limpet/core/cross_product.hpp"
+#include "limpet/planning/straightness.hpp"
 
 namespace limpet {
 namespace {
-
-constexpr double kStraight = 1e-9;  // [1/m]
 
 struct Circle {
   PlanePoint center;
@@ -36,7 +35,7 @@ class Meetings {
         along_(std::cos(piece.from.yaw), std::sin(piece.from.yaw)),
         curvature_(piece.segment.curvature),
         length_(piece.segment.length),
-        is_straight_(std::abs(curvature_) < kStraight),
+        is_straight_(IsStraight(curvature_)),
         lengths_(lengths) {
     if (!is_straight_) {
       arc_ = {from_ + PlanePoint(-along_.y(), along_.x()) / curvature_, 1.0 / std::abs(curvature_)};

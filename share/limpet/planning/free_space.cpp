@@ -10,6 +10,7 @@
 
 #include "limpet/core/require.hpp"
 #include "limpet/planning/border_meetings.hpp"
+#include "limpet/planning/straightness.hpp"
 
 namespace limpet {
 namespace {
@@ -18,7 +19,6 @@ constexpr double kFinestCell = 0.25;  // [m]
 constexpr double kMostRasterCells = 2.5e5;
 constexpr double kShortestPiece = 1.0;    // below it dividing costs more than an exact test [m]
 constexpr double kRasterRounding = 1e-4;  // [m] of clearances kept as floats
-constexpr double kNoCurve = 1e-9;         // [1/m]
 
 }  // namespace
 
@@ -38,7 +38,7 @@ struct FreeSpace::Track {
 
   [[nodiscard]] PlanePoint At(double length) const {
     const PlanePoint start_W(from.north, from.east);
-    if (std::abs(curvature) < kNoCurve) return start_W + length * along_W;
+    if (IsStraight(curvature)) return start_W + length * along_W;
     const double half_turn = 0.5 * curvature * length;
     const double sin = std::sin(half_turn), cos = std::cos(half_turn);
     const PlanePoint aside_W(-along_W.y(), along_W.x());

@@ -2,9 +2,10 @@
 // What memories of motions find them by.
 #pragma once
 
-#include <bit>
-#include <cstdint>
+#include <cstddef>
+#include <functional>
 #include <initializer_list>
+#include <string_view>
 
 #include "limpet/planning/pose2.hpp"
 
@@ -18,14 +19,9 @@ namespace limpet {
 }
 
 /// Of the numbers' bits: 0.0 and -0.0 differ.
-[[nodiscard]] inline std::uint64_t HashOf(std::initializer_list<double> numbers) {
-  constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15ULL;
-  std::uint64_t hash = 0;
-  for (const double number : numbers) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * kOdd;
-    hash ^= hash >> 32U;
-  }
-  return hash;
+[[nodiscard]] inline std::size_t HashOf(std::initializer_list<double> numbers) {
+  const auto* bytes = reinterpret_cast<const char*>(std::data(numbers));
+  return std::hash<std::string_view>{}({bytes, numbers.size() * sizeof(double)});
 }
 
 }  // namespace limpet

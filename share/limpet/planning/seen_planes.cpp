@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "limpet/core/interval.hpp"
+#include "limpet/planning/straightness.hpp"
 
 namespace limpet {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 constexpr double kStep = 1.0;
 constexpr double kOverlap = 1.0;  ///< of what a motion shows with what it starts from [cells]
 constexpr double kParallel = 1e-9;
-constexpr double kStraightest = 1e-9;     ///< [1/m]
 constexpr std::size_t kFirstRoom = 1024;  ///< of a log
 
 constexpr std::array kLayerOf{0, Footprint::kLayers - 1};
@@ -101,7 +101,7 @@ void SeenPlanes::Look(const Pose2& at) {
 }
 
 void SeenPlanes::Sweep(const Pose2& from, const PathSegment& segment) {
-  if (std::abs(segment.curvature) < kStraightest) {
+  if (IsStraight(segment.curvature)) {
     SweepStraight(PlaceOf(from), segment.length / frame_.cell_m);
   } else {
     SweepTurn(from, segment);
