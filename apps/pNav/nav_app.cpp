@@ -5,10 +5,13 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <variant>
+
+#include <mrpt/obs/CObservation.h>
 
 #include "apps/pNav/class_radii.hpp"
 #include "apps/pNav/nav_block.hpp"
-#include "estimation/navigation/measurement_source.hpp"
+#include "estimation/navigation/observation_forms.hpp"
 #include "estimation/navigation/sensor_beliefs.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/frames.hpp"
@@ -68,40 +71,59 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
       lens_(params.camera.lens()),
       attitude_(AttitudeParamsOf(params, vehicle.sensors)),
       navigator_(NavigatorParamsOf(params, vehicle)) {
-  Subscribe(topics::kImuData, &NavApp::OnImu);
-  Subscribe(topics::kFogYawRate, &NavApp::OnFog);
-  Subscribe(topics::kDvlData, &NavApp::OnDvl);
-  Subscribe(topics::kDepthSensor, &NavApp::OnDepth);
   SubscribeIfWritten(topics::kThrusterCommand, &NavApp::OnThrusters);
   SubscribeIfWritten(topics::kObstacleSonar, &NavApp::OnSonar);
-  Subscribe(topics::kGpsData, &NavApp::OnGps);
-  Subscribe(topics::kDetections, &NavApp::OnDetections);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
   Subscribe(topics::kMapSnapshotRequest, &NavApp::OnSnapshotRequest);
 }
 
-void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> source) {
-  const MeasurementSource* heard = source.get();
-  const int number = navigator_.AddSource(std::move(source));
-  aiding_.push_back({.name = name, .heard = {}});
-  SubscribeRaw(heard->variable(), [this, heard, number](const MessagePtr& message) {
+void NavApp::SubscribeTo(const MeasurementSource& source,
+                         std::function<void(std::shared_ptr<mrpt::obs::CObservation>)> use) {
+  SubscribeRaw(source.variable(), [this, &source, use = std::move(use)](const MessagePtr& message) {
     if (!HasUsableStamp(message->name, message->time, message->source)) return;
-    auto seen = heard->Observe(message->time.value(), message->value);
+    auto seen = source.Observe(message->time.value(), message->value);
     if (seen == nullptr) {
       Warn(warnings::kBadMail.Of(message->name), "makes no sense; sent by " + message->source);
       return;
     }
     ClearWarning(warnings::kBadMail, message->name);
+    use(std::move(seen));
+  });
+}
+
+void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> source) {
+  if (auto sensor = TakeMotionSensor(source)) {
+    HearMotion(std::move(sensor));
+  } else {
+    HearAiding(name, std::move(source));
+  }
+}
+
+void NavApp::HearMotion(std::unique_ptr<MotionSensor> sensor) {
+  using Seen = std::shared_ptr<mrpt::obs::CObservation>;
+  SubscribeTo(*sensor, [this, heard = sensor.get()](const Seen& seen) {
+    if (const auto reading = heard->ReadingOf(*seen)) {
+      std::visit([this](const auto& one) { this->On(one); }, *reading);
+    }
+  });
+  sensors_.push_back(std::move(sensor));
+}
+
+void NavApp::HearAiding(const std::string& name, std::unique_ptr<MeasurementSource> source) {
+  const MeasurementSource& heard = *source;
+  const int number = navigator_.AddSource(std::move(source));
+  aiding_.push_back({.name = name, .heard = {}});
+  SubscribeTo(heard, [this, number](auto seen) {
     aiding_[static_cast<std::size_t>(number)].heard.Note(
-        {.stamp = message->time.value(), .now = now().value()});
+        {.stamp = SecondsOf(*seen), .now = now().value()});
     navigator_.AddObservation(number, std::move(seen));
   });
 }
 
-void NavApp::OnFog(const Stamped<double>& rate) {
-  attitude_.AddFogRate(rate.time.value(), RadiansPerSecond(rate.value));
-  if (std::isfinite(rate.value)) {
-    fog_.Note({.stamp = rate.time.value(), .now = now().value()});
+void NavApp::On(const YawRate& turning) {
+  attitude_.AddFogRate(turning.t, RadiansPerSecond(turning.rate));
+  if (std::isfinite(turning.rate)) {
+    fog_.Note({.stamp = turning.t, .now = now().value()});
   }
 }
 
@@ -111,20 +133,16 @@ void NavApp::OnThrusters(const Stamped<ThrusterCommand>& command) {
   navigator_.AddForce(command.time.value(), full_force_B_ * share.cwiseMax(-1.0).cwiseMin(1.0));
 }
 
-void NavApp::OnImu(const Stamped<ImuSample>& imu) {
-  const ImuSample& sample = imu.value;
-  const double t = imu.time.value();
+void NavApp::On(const InertialInput& sample) {
+  const double t = sample.t;
   const int outliers = attitude_.outliers();
-  const bool is_good = attitude_.AddInertial({.t = t,
-                                              .force_B = {sample.fx, sample.fy, sample.fz},
-                                              .rate_B = {sample.p, sample.q, sample.r},
-                                              .heading = sample.heading});
+  const bool is_good = attitude_.AddInertial(sample);
   imu_refusals_.Note(t, attitude_.outliers() != outliers);
   if (!is_good) {
     return;
   }
   imu_.Note({.stamp = t, .now = now().value()});
-  navigator_.AddSpecificForce(t, {sample.fx, sample.fy, sample.fz});
+  navigator_.AddSpecificForce(t, sample.force_B);
   if (attitude_.is_aligned() && t - last_attitude_t_ >= Navigator::kAttitudePeriod) {
     navigator_.AddAttitude(*attitude_.estimate());
     if (attitude_.has_heading()) {
@@ -134,51 +152,66 @@ void NavApp::OnImu(const Stamped<ImuSample>& imu) {
   }
 }
 
-void NavApp::OnDvl(const Stamped<DvlSample>& dvl) {
-  const DvlSample& sample = dvl.value;
-  const double t = dvl.time.value();
+void NavApp::On(const BottomTrack& ping) {
+  const double t = ping.t;
   dvl_.Note({.stamp = t, .now = now().value()});
   ++dvl_pings_;
-  dvl_pings_without_lock_ += sample.has_lock ? 0 : 1;
-  std::optional<Eigen::Vector3d> velocity;
-  if (sample.has_lock && sample.u && sample.v && sample.w) {
-    velocity = R_BD_ * Eigen::Vector3d(*sample.u, *sample.v, *sample.w);
-    if (velocity->allFinite()) {
+  dvl_pings_without_lock_ += ping.v_WD_D ? 0 : 1;
+  std::optional<Eigen::Vector3d> velocity_B;
+  if (ping.v_WD_D) {
+    velocity_B = R_BD_ * *ping.v_WD_D;
+    if (velocity_B->allFinite()) {
       lock_.Note({.stamp = t, .now = now().value()});
     }
   }
-  if (sample.altitude) {
-    navigator_.AddAltitude(t, Meters(*sample.altitude));
+  if (ping.altitude) {
+    navigator_.AddAltitude(t, Meters(*ping.altitude));
   }
   const int refused = navigator_.counts().velocities;
-  navigator_.AddVelocity(t, velocity);
-  if (velocity) velocity_refusals_.Note(t, navigator_.counts().velocities != refused);
+  navigator_.AddVelocity(t, velocity_B);
+  if (velocity_B) velocity_refusals_.Note(t, navigator_.counts().velocities != refused);
   if (navigator_.has_started() && IsFresh(imu_, now().value())) {
     attitude_.SetBodyVelocity(navigator_.Estimate(t).v_B);
-    PublishBeams(dvl);
   }
 }
 
-void NavApp::OnDepth(const Stamped<double>& depth) {
-  if (std::isfinite(depth.value)) {
-    depth_.Note({.stamp = depth.time.value(), .now = now().value()});
-  }
-  navigator_.AddDepth(depth.time.value(), Meters(depth.value));
+void NavApp::On(const SlantRanges& ping) {
+  if (!navigator_.has_started() || !IsFresh(imu_, now().value())) return;
+  const NavigatorEstimate estimate = navigator_.Estimate(ping.t);
+  const Pose& X_WB = estimate.X_WB;
+  const Eigen::Vector3d p_dvl_W = X_WB.p_WB + RotationOf(X_WB) * dvl_sheet_.p_BD;
+  Publish(topics::kNavBeams, PosedBeams{.north = p_dvl_W.x(),
+                                        .east = p_dvl_W.y(),
+                                        .down = p_dvl_W.z(),
+                                        .roll = X_WB.roll,
+                                        .pitch = X_WB.pitch,
+                                        .yaw = X_WB.yaw,
+                                        .b1 = ping.beams[0],
+                                        .b2 = ping.beams[1],
+                                        .b3 = ping.beams[2],
+                                        .b4 = ping.beams[3],
+                                        .sd_down = estimate.sd_p_W.z()});
 }
 
-void NavApp::OnGps(const Stamped<GpsFix>& fix) {
+void NavApp::On(const DepthReading& reading) {
+  if (std::isfinite(reading.depth)) {
+    depth_.Note({.stamp = reading.t, .now = now().value()});
+  }
+  navigator_.AddDepth(reading.t, Meters(reading.depth));
+}
+
+void NavApp::On(const PositionFix& fix) {
   ++gps_fixes_;
-  gps_.Note({.stamp = fix.time.value(), .now = now().value()});
-  navigator_.AddGps(fix.time.value(), {fix.value.north, fix.value.east}, fix.value.sd);
+  gps_.Note({.stamp = fix.t, .now = now().value()});
+  navigator_.AddGps(fix.t, fix.p_W, fix.sd);
 }
 
-void NavApp::OnDetections(const Stamped<Detections>& detections) {
-  if (!HasUsableStamp(topics::kDetections.name, detections.value.exposure, "its exposure")) {
+void NavApp::On(const Detections& frame) {
+  if (!HasUsableStamp(topics::kDetections.name, frame.exposure, "its exposure")) {
     return;
   }
-  camera_.Note({.stamp = detections.value.exposure.value(), .now = now().value()});
-  navigator_.AddFrame(lens_.is_pinhole() ? detections.value
-                                         : Rectified(lens_, detections.value).frame);
+  camera_.Note({.stamp = frame.exposure.value(), .now = now().value()});
+  navigator_.AddFrame(lens_.is_pinhole() ? frame : Rectified(lens_, frame).frame);
 }
 
 void NavApp::OnPrior(const Stamped<SessionPrior>& prior) {
@@ -318,24 +351,6 @@ void NavApp::PublishLandmarks(double now) {
     Publish(topics::kNavTrackShift, *shift);
   }
   Publish(topics::kNavLandmarks, Landmarks{navigator_.Landmarks()});
-}
-
-void NavApp::PublishBeams(const Stamped<DvlSample>& dvl) {
-  const NavigatorEstimate estimate = navigator_.Estimate(dvl.time.value());
-  const Pose& X_WB = estimate.X_WB;
-  const Eigen::Vector3d p_dvl_W = X_WB.p_WB + RotationOf(X_WB) * dvl_sheet_.p_BD;
-  const DvlSample& sample = dvl.value;
-  Publish(topics::kNavBeams, PosedBeams{.north = p_dvl_W.x(),
-                                        .east = p_dvl_W.y(),
-                                        .down = p_dvl_W.z(),
-                                        .roll = X_WB.roll,
-                                        .pitch = X_WB.pitch,
-                                        .yaw = X_WB.yaw,
-                                        .b1 = sample.b1,
-                                        .b2 = sample.b2,
-                                        .b3 = sample.b3,
-                                        .b4 = sample.b4,
-                                        .sd_down = estimate.sd_p_W.z()});
 }
 
 bool NavApp::RepeatsEchoes(const SonarPing& ping) {

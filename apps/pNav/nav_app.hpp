@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,8 +10,10 @@
 #include "apps/pNav/refusal_watch.hpp"
 #include "apps/pNav/source_watch.hpp"
 #include "estimation/attitude/attitude_filter.hpp"
+#include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/navigator.hpp"
 #include "estimation/navigation/place_sigmas.hpp"
+#include "estimation/navigation/source_block.hpp"
 #include "estimation/navigation/track_watch.hpp"
 #include "limpet/app/app.hpp"
 #include "limpet/core/camera_params.hpp"
@@ -49,7 +52,7 @@ class NavApp final : public App {
     MatchingParams session;
     CameraParams camera;
     bool compass_aids = true;
-    std::string sources = "none";
+    std::string sensors = kUsualSensors, sources = "none";
 
     template <class Visitor>
     void Describe(Visitor& visit) {
@@ -89,6 +92,8 @@ class NavApp final : public App {
       visit("compass_aids", compass_aids,
             "The magnetic heading is used during the dive, too, and its deviation estimated; not "
             "beside the source magnetic_heading, which does so itself");
+      visit("sensors", sensors,
+            "Sensors that dead reckoning stands on; each brings keys of its own, behind its name");
       visit("sources", sources,
             "Further sensors that are heard, e.g. acoustic_fix, magnetic_heading; each brings keys "
             "of its own, behind its name");
@@ -97,22 +102,28 @@ class NavApp final : public App {
 
   /// Throws ConfigError without the vehicle's file.
   NavApp(const AppContext& context, const Params& params);
-  /// A further sensor; before the first mail.
+  /// A sensor, of dead reckoning or a further one; before the first mail.
   void Hear(const std::string& name, std::unique_ptr<MeasurementSource> source);
   void Tick(Seconds now) override;
   void Report(ReportLines& report) const override;
 
  private:
-  void OnImu(const Stamped<ImuSample>& imu);
-  void OnFog(const Stamped<double>& rate);
-  void OnDvl(const Stamped<DvlSample>& dvl);
-  void OnDepth(const Stamped<double>& depth);
+  void HearMotion(std::unique_ptr<MotionSensor> sensor);
+  void HearAiding(const std::string& name, std::unique_ptr<MeasurementSource> source);
+  /// Hands on what `source` makes of each message that it hears and that makes sense.
+  void SubscribeTo(const MeasurementSource& source,
+                   std::function<void(std::shared_ptr<mrpt::obs::CObservation>)> use);
+  void On(const InertialInput& sample);
+  void On(const YawRate& turning);
+  void On(const BottomTrack& ping);
+  void On(const SlantRanges& ping);
+  void On(const DepthReading& reading);
+  void On(const PositionFix& fix);
+  void On(const Detections& frame);
   void OnThrusters(const Stamped<ThrusterCommand>& command);
   void OnSonar(const Stamped<SonarPing>& ping);
   /// Each echo of the ping is the former ping's: noise lets a sound sonar say no such.
   [[nodiscard]] bool RepeatsEchoes(const SonarPing& ping);
-  void OnGps(const Stamped<GpsFix>& fix);
-  void OnDetections(const Stamped<Detections>& detections);
   void OnPrior(const Stamped<SessionPrior>& prior);
   void OnSnapshotRequest(const Stamped<std::string>& why);
 
@@ -128,7 +139,6 @@ class NavApp final : public App {
   /// How sure the whole track is now, in steps.
   [[nodiscard]] std::vector<std::array<double, 3>> TrackSigmas() const;
   void PublishLandmarks(double now);
-  void PublishBeams(const Stamped<DvlSample>& dvl);
   void WatchSensors(double now);
   [[nodiscard]] bool IsFresh(const SourceWatch& source, double now) const {
     return source.IsFresh(now, stale_after_);
@@ -158,8 +168,9 @@ class NavApp final : public App {
     std::string name;
     SourceWatch heard;
   };
-  std::vector<AidingWatch> aiding_;       ///< the further sensors
-  std::optional<double> aiding_awaited_;  ///< since when [s]
+  std::vector<std::unique_ptr<MotionSensor>> sensors_;  ///< that dead reckoning stands on
+  std::vector<AidingWatch> aiding_;                     ///< the further ones
+  std::optional<double> aiding_awaited_;                ///< since when [s]
   TrackWatch track_watch_;
   PlaceSigmas place_sigmas_;
   std::optional<int> sigma_node_;  ///< of which newest_sigma_ is

@@ -31,6 +31,7 @@ NavBlock::NavBlock(const ConfigBlock& block) {
   SourceBlock named(block);
   std::ranges::move(named.specs, std::back_inserter(specs));
   sources = std::move(named.sources);
+  sensors = std::move(named.sensors);
   const bool has_own_compass = std::ranges::any_of(
       sources, [](const auto& source) { return source.first == "magnetic_heading"; });
   problems = ApplyBlock(block, specs, KeysOfOthers(named.problems.empty()));
@@ -54,8 +55,10 @@ std::unique_ptr<App> CreateNavApp(const AppContext& context, const ConfigBlock& 
   const NavBlock read(block);
   if (!read.problems.empty()) throw ConfigError(read.problems);
   auto app = std::make_unique<NavApp>(context, read.params);
-  for (const auto& [name, factory] : read.sources)
-    app->Hear(name, factory->Make());
+  for (const NamedSources* heard : {&read.sensors, &read.sources}) {
+    for (const auto& [name, factory] : *heard)
+      app->Hear(name, factory->Make());
+  }
   return app;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// pNav's block as a mission file has it: its own keys and those of the measurement sources that it
-// names, each behind its source's name: `beacon_range_sigma_m`.
+// pNav's block as a mission file has it: its own keys and those of the sensors that it names, each
+// behind its sensor's name: `beacon_range_sigma_m`.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@
 
 namespace limpet {
 
-/// The app's parameters, and a factory per source that holds the source's.
+/// The app's parameters, and a factory per sensor that holds the sensor's.
 struct NavBlock {
   NavApp::Params params;
-  NamedSources sources;
+  NamedSources sensors, sources;  ///< of dead reckoning, and further ones
   std::vector<ConfigProblem> problems;
 
   explicit NavBlock(const ConfigBlock& block);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam for sensors beside those that dead reckoning stands on: ranges, fixes, headings. One is
-// a file in estimation/sources and a test.
+// The seam for sensors. One is a file in estimation/sources and a test.
 #pragma once
 
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "estimation/navigation/motion_readings.hpp"
 #include "estimation/smoothing/term.hpp"
 #include "limpet/core/message.hpp"
 
@@ -32,9 +32,9 @@ struct Sounding {
   double range = 0.0;                              ///< from there [m]
 };
 
-/// A sensor that says something of the pose: mail becomes an observation, which can be recorded and
-/// replayed, and an observation a term of the smoother. When it comes into the chain, whether it
-/// can be true, and what became of it is the chain's business (AidingSources).
+/// A sensor: mail becomes an observation, which can be recorded and replayed, and an observation a
+/// term of the smoother. When it comes into the chain, whether it can be true, and what became of
+/// it is the chain's business (AidingSources).
 class MeasurementSource {
  public:
   virtual ~MeasurementSource() = default;
@@ -59,6 +59,21 @@ class MeasurementSource {
   }
   /// True for one that says where the vehicle is: dead reckoning begins anew.
   [[nodiscard]] virtual bool is_fix() const { return false; }
+};
+
+/// A sensor that dead reckoning stands on. What it reads makes the chain that terms are upon, and
+/// is used as soon as it comes: what of it can be true, Navigator decides.
+class MotionSensor : public MeasurementSource {
+ public:
+  /// What an observation of this sensor's reads; nothing of one that it cannot have made.
+  [[nodiscard]] virtual std::optional<MotionReading> ReadingOf(
+      const mrpt::obs::CObservation& seen) const = 0;
+  /// What the variable's value, measured at `t` [s], reads; nothing if it makes no sense.
+  [[nodiscard]] std::optional<MotionReading> Read(double t, const Value& value) const;
+  [[nodiscard]] std::optional<Term> Measure(const mrpt::obs::CObservation& /*seen*/,
+                                            int /*errors*/) final {
+    return std::nullopt;
+  }
 };
 
 }  // namespace limpet

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "estimation/navigation/measurement_source.hpp"
+#include <fmt/format.h>
 
 namespace limpet {
 namespace {
@@ -28,19 +28,49 @@ std::vector<ParamSpec> PrefixedKeys(const std::string& name, SourceFactory& fact
 }
 
 SourceBlock::SourceBlock(const ConfigBlock& block) {
-  const ConfigEntry* entry = block.Find("sources");
-  for (const std::string& name : entry != nullptr ? NamesIn(*entry) : std::vector<std::string>()) {
-    const bool is_twice =
-        std::ranges::count(sources, name, [](const auto& s) { return s.first; }) > 0;
+  const ConfigEntry usual{.key = "sensors", .value = kUsualSensors, .where = block.where};
+  const ConfigEntry* named = block.Find(usual.key);
+  Read(named != nullptr ? *named : usual, true);
+  if (const ConfigEntry* further = block.Find("sources")) Read(*further, false);
+}
+
+void SourceBlock::Read(const ConfigEntry& entry, bool are_of_motion) {
+  NamedSources& read = are_of_motion ? sensors : sources;
+  for (const std::string& name : NamesIn(entry)) {
+    const auto is_it = [&name](const auto& other) { return other.first == name; };
+    const auto problem = [this, &entry](std::string why) {
+      problems.push_back({.where = entry.where, .key = entry.key, .text = std::move(why)});
+    };
     auto found = FindSource(name);
-    if (is_twice || !found) {
-      const std::string why = found ? "`" + name + "` stands there twice" : found.error().text;
-      problems.push_back({.where = entry->where, .key = entry->key, .text = why});
-      continue;
+    if (!found) {
+      problem(found.error().text);
+    } else if ((*found)->is_of_motion() != are_of_motion) {
+      problem(fmt::format("`{}` is {}: `{}` names it", name,
+                          are_of_motion ? "none that dead reckoning stands on"
+                                        : "one that dead reckoning stands on",
+                          are_of_motion ? "sources" : "sensors"));
+    } else if (std::ranges::any_of(read, is_it)) {
+      problem("`" + name + "` stands there twice");
+    } else {
+      read.emplace_back(name, *std::move(found));
+      std::ranges::move(PrefixedKeys(name, *read.back().second), std::back_inserter(specs));
     }
-    sources.emplace_back(name, *std::move(found));
-    std::ranges::move(PrefixedKeys(name, *sources.back().second), std::back_inserter(specs));
   }
+}
+
+std::unique_ptr<MotionSensor> TakeMotionSensor(std::unique_ptr<MeasurementSource>& source) {
+  auto* sensor = dynamic_cast<MotionSensor*>(source.get());
+  if (sensor != nullptr) static_cast<void>(source.release());
+  return std::unique_ptr<MotionSensor>(sensor);
+}
+
+std::vector<std::unique_ptr<MotionSensor>> UsualSensors() {
+  std::vector<std::unique_ptr<MotionSensor>> sensors;
+  for (const auto& [name, factory] : SourceBlock(ConfigBlock{}).sensors) {
+    auto source = factory->Make();
+    sensors.push_back(TakeMotionSensor(source));
+  }
+  return sensors;
 }
 
 NamedSources ParseSources(std::string_view text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The measurement sources that a block names, and their keys, each behind its source's name:
-// `sources = beacon_range`, `beacon_range_sigma_m = 0.3`.
+// The sensors that a block names, and their keys, each behind its sensor's name: `sensors = imu,
+// dvl, depth, gps` are those that dead reckoning stands on, `sources = beacon_range` any others;
+// `beacon_range_sigma_m = 0.3`.
 #pragma once
 
 #include <memory>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/navigation/measurement_source.hpp"
 #include "estimation/navigation/source_factory.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/core/params.hpp"
@@ -18,13 +20,28 @@ namespace limpet {
 /// A factory per source, in the block's order.
 using NamedSources = std::vector<std::pair<std::string, std::unique_ptr<SourceFactory>>>;
 
+/// What dead reckoning stands on where a block does not say.
+inline constexpr const char* kUsualSensors = "imu, fog, dvl, dvl_beams, depth, gps, boxes";
+
 struct SourceBlock {
-  NamedSources sources;
-  std::vector<ParamSpec> specs;         ///< write into `sources`
-  std::vector<ConfigProblem> problems;  ///< unknown or repeated names
+  NamedSources sensors;          ///< that dead reckoning stands on
+  NamedSources sources;          ///< the further ones
+  std::vector<ParamSpec> specs;  ///< write into both
+  std::vector<ConfigProblem>
+      problems;  ///< names that are unknown, repeated, or under the other key
 
   explicit SourceBlock(const ConfigBlock& block);
+
+ private:
+  /// Reads the names that `key` lists.
+  void Read(const ConfigEntry& entry, bool are_of_motion);
 };
+
+/// Takes a sensor that dead reckoning stands on out of `source`; nothing if it is none.
+[[nodiscard]] std::unique_ptr<MotionSensor> TakeMotionSensor(
+    std::unique_ptr<MeasurementSource>& source);
+/// Those that dead reckoning stands on where a block does not say, as they come.
+[[nodiscard]] std::vector<std::unique_ptr<MotionSensor>> UsualSensors();
 
 /// A source's parameters as a block spells them.
 [[nodiscard]] std::vector<ParamSpec> PrefixedKeys(const std::string& name, SourceFactory& factory);

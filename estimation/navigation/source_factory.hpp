@@ -20,6 +20,8 @@ class SourceFactory {
   /// Declarations whose `set` writes into this factory, without the source's name before each;
   /// valid as long as it lives.
   [[nodiscard]] virtual std::vector<ParamSpec> Parameters() = 0;
+  /// Whether it makes a MotionSensor.
+  [[nodiscard]] virtual bool is_of_motion() const = 0;
   /// A source with the parameters as they are now. Throws ConfigError if they are impossible.
   [[nodiscard]] virtual std::unique_ptr<MeasurementSource> Make() const = 0;
 };

@@ -24,7 +24,8 @@ template <class S>
 class SourceFactoryOf final : public SourceFactory {
   static_assert(std::is_base_of_v<MeasurementSource, S>,
                 "a source derives from limpet::MeasurementSource");
-  static_assert(!std::is_abstract_v<S>, "a source says what variable, Observe and Measure do");
+  static_assert(!std::is_abstract_v<S>,
+                "a source says what variable, Observe and Measure, or ReadingOf, do");
   static_assert(std::is_final_v<S>, "a source is final: what two share is a class of its own");
   static_assert(
       requires(typename S::Params params, ParamCollector& visit) { params.Describe(visit); },
@@ -34,6 +35,7 @@ class SourceFactoryOf final : public SourceFactory {
 
  public:
   [[nodiscard]] std::vector<ParamSpec> Parameters() override { return DescribeParams(params_); }
+  [[nodiscard]] bool is_of_motion() const override { return std::is_base_of_v<MotionSensor, S>; }
   [[nodiscard]] std::unique_ptr<MeasurementSource> Make() const override {
     return std::make_unique<S>(params_);
   }
@@ -44,7 +46,8 @@ class SourceFactoryOf final : public SourceFactory {
 
 }  // namespace limpet
 
-/// Makes a source known under the name that `sources = ...` of pNav's block gives.
+/// Makes a source known under the name that `sources = ...` of pNav's block gives, or of a
+/// MotionSensor `sensors = ...`.
 #define LIMPET_REGISTER_SOURCE(Class, source_name)                                                 \
   static_assert(::limpet::IsLowerCaseName(source_name), "lower_case words");                       \
   static const bool limpet_registered_##Class = [] {                                               \

@@ -43,7 +43,7 @@ struct AttitudeAndDepth {
       tilt = std::hypot(attitude->roll, attitude->pitch);
     } else if (const auto* inertial = std::get_if<InertialInput>(&row)) {
       yaw = inertial->heading;
-    } else if (const auto* depth_row = std::get_if<DepthRow>(&row)) {
+    } else if (const auto* depth_row = std::get_if<DepthReading>(&row)) {
       depth = depth_row->depth;
     }
   }

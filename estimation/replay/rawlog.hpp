@@ -24,6 +24,9 @@
 
 namespace limpet {
 
+/// What the comment with the lines of meta.csv begins with: MRPT keeps no label of a comment.
+inline constexpr const char* kRawlogMetaBegin = "key,v1,v2,...\n";
+
 struct PackedRawlog {
   std::string bytes;      ///< of the file
   int untimely_rows = 0;  ///< left out: their time is none that MRPT can say

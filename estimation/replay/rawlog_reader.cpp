@@ -25,10 +25,10 @@
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/topography/conversions.h>
 
+#include "estimation/navigation/observation_forms.hpp"
 #include "estimation/replay/bounded_input.hpp"
 #include "estimation/replay/csv_fields.hpp"
 #include "estimation/replay/rawlog.hpp"
-#include "estimation/replay/rawlog_form.hpp"
 #include "estimation/replay/rawlog_scan.hpp"
 #include "limpet/core/config.hpp"
 #include "limpet/packing/gzip_bytes.hpp"
@@ -45,10 +45,6 @@ using mrpt::obs::TIMUDataIndex;
 using Gga = mrpt::obs::gnss::Message_NMEA_GGA;
 
 constexpr std::array kOrientation{mrpt::obs::IMU_ROLL, mrpt::obs::IMU_PITCH, mrpt::obs::IMU_YAW};
-constexpr std::array kVelocity{mrpt::obs::IMU_X_VEL, mrpt::obs::IMU_Y_VEL, mrpt::obs::IMU_Z_VEL};
-constexpr std::array kInertial{mrpt::obs::IMU_X_ACC, mrpt::obs::IMU_Y_ACC, mrpt::obs::IMU_Z_ACC,
-                               mrpt::obs::IMU_WX,    mrpt::obs::IMU_WY,    mrpt::obs::IMU_WZ,
-                               mrpt::obs::IMU_YAW};
 
 /// 1-sigma of each horizontal axis [m]: what a receiver errs by per unit of dilution, by the kind
 /// of its solution; nothing if it has none, or only guesses.
@@ -66,7 +62,7 @@ class RawlogRows {
   RawlogRows(SensorStream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
 
   bool Take(const CObservationComment& comment) {
-    if (!comment.text.starts_with(rawlog::kMetaBegin)) return false;
+    if (!comment.text.starts_with(kRawlogMetaBegin)) return false;
     auto meta = ParseStreamMeta(
         {.name = name_ + ": meta", .lines = Split(comment.text, '\n'), .damage = {}});
     if (!meta) throw BadLine{meta.error().text};
@@ -76,31 +72,25 @@ class RawlogRows {
   }
   bool Take(const CObservationIMU& imu) {
     if (!AreTruthValues(imu)) throw BadLine{"a CObservationIMU that is damaged begins there"};
-    const double t = rawlog::SecondsOf(imu.timestamp);
-    if (imu.sensorLabel == rawlog::kDvl) return TakePing(t, imu);
-    if (imu.sensorLabel == rawlog::kDepth && imu.has(mrpt::obs::IMU_Z)) {
-      Add(DepthRow{t, imu.get(mrpt::obs::IMU_Z)}, {imu.get(mrpt::obs::IMU_Z)});
+    if (imu.sensorLabel == observation_labels::kDvl) return TakePing(*BottomTrackOf(imu));
+    const auto depth = DepthOf(imu);
+    if (imu.sensorLabel == observation_labels::kDepth && depth) {
+      Add(*depth, {depth->depth});
     } else if (const auto turned = Numbers(imu, kOrientation)) {
-      TakeAttitude(t, *turned);
-    } else if (const auto felt = Numbers(imu, kInertial)) {
-      const std::vector<double>& f = *felt;
-      const InertialInput row{
-          .t = t, .force_B = {f[0], f[1], f[2]}, .rate_B = {f[3], f[4], f[5]}, .heading = f[6]};
-      Add(row, {row.force_B.sum(), row.rate_B.sum(), row.heading});
-    } else if (imu.has(mrpt::obs::IMU_WZ) && !imu.has(mrpt::obs::IMU_WX)) {
-      Add(FogRow{t, imu.get(mrpt::obs::IMU_WZ)}, {imu.get(mrpt::obs::IMU_WZ)});
+      TakeAttitude(SecondsOf(imu), *turned);
+    } else if (const auto felt = InertialOf(imu)) {
+      Add(*felt, {felt->force_B.sum(), felt->rate_B.sum(), felt->heading});
+    } else if (const auto rate = YawRateOf(imu); rate && !imu.has(mrpt::obs::IMU_WX)) {
+      Add(*rate, {rate->rate});
     } else {
       return false;
     }
     return true;
   }
-  bool Take(const CObservationRobotPose& fix) {
-    if (fix.sensorLabel != rawlog::kGps) return false;
-    const auto& mean = fix.pose.mean;
-    const auto& cov = fix.pose.cov;
-    const double sd = std::sqrt(std::max(cov(0, 0), cov(1, 1)));
-    Add(PositionFix{rawlog::SecondsOf(fix.timestamp), {mean.x(), mean.y()}, sd},
-        {mean.x(), mean.y(), sd});
+  bool Take(const CObservationRobotPose& pose) {
+    if (pose.sensorLabel != observation_labels::kGps) return false;
+    const PositionFix fix = *FixOf(pose);
+    Add(fix, {fix.p_W.x(), fix.p_W.y(), fix.sd});
     return true;
   }
   bool Take(const CObservationGPS& gps) {
@@ -116,22 +106,22 @@ class RawlogRows {
     mrpt::topography::geodeticToENU_WGS84(
         {place.latitude_deg, place.longitude_deg, 0.0}, p_ENU,
         {stream_.datum->latitude_deg, stream_.datum->longitude_deg, 0.0});
-    Add(PositionFix{rawlog::SecondsOf(gps.timestamp), {p_ENU.y, p_ENU.x}, *sd}, {*sd});
+    Add(PositionFix{SecondsOf(gps), {p_ENU.y, p_ENU.x}, *sd}, {*sd});
     return true;
   }
   bool Take(const CObservationRawDAQ& some) {
     const std::vector<double>& numbers = some.AIN_double;
-    if (some.sensorLabel == rawlog::kAttitudeSigma && numbers.size() == 3) {
+    if (some.sensorLabel == observation_labels::kAttitudeSigma && numbers.size() == 3) {
       sigma_ = {numbers[0], numbers[1], numbers[2]};
       return true;
     }
-    if (some.sensorLabel == rawlog::kBeams && numbers.size() == 4 && !stream_.rows.empty()) {
+    if (some.sensorLabel == observation_labels::kBeams && !stream_.rows.empty()) {
+      const auto ranges = SlantRangesOf(some);
       auto* ping = std::get_if<DvlRow>(&stream_.rows.back());
-      for (std::size_t i = 0; ping != nullptr && i < 4; ++i)
-        if (std::isfinite(numbers[i])) ping->beams.at(i) = numbers[i];
-      return ping != nullptr;
+      if (ranges && ping != nullptr) ping->beams = ranges->beams;
+      if (ranges) return ping != nullptr;
     }
-    return some.sensorLabel == rawlog::kBoxes && TakeBoxes(some);
+    return some.sensorLabel == observation_labels::kBoxes && TakeBoxes(some);
   }
   /// True once it is one of those that we write.
   [[nodiscard]] bool has_meta() const { return has_meta_; }
@@ -160,11 +150,9 @@ class RawlogRows {
       ++stream_.refused_rows;
     }
   }
-  bool TakePing(double t, const CObservationIMU& imu) {
-    DvlRow ping{.t = t, .v_WD_B = {}, .altitude = {}};
-    if (const auto v = Numbers(imu, kVelocity)) ping.v_WD_B = {(*v)[0], (*v)[1], (*v)[2]};
-    if (imu.has(mrpt::obs::IMU_ALTITUDE)) ping.altitude = imu.get(mrpt::obs::IMU_ALTITUDE);
-    Add(ping, {ping.v_WD_B.value_or(Eigen::Vector3d::Zero()).sum(), ping.altitude.value_or(0.0)});
+  bool TakePing(const BottomTrack& ping) {
+    Add(DvlRow{.t = ping.t, .v_WD_B = ping.v_WD_D, .altitude = ping.altitude},
+        {ping.v_WD_D.value_or(Eigen::Vector3d::Zero()).sum(), ping.altitude.value_or(0.0)});
     return true;
   }
   void TakeAttitude(double t, const std::vector<double>& angles) {
@@ -179,31 +167,10 @@ class RawlogRows {
         {angles[0], angles[1], angles[2], sigma_.sum()});
   }
   bool TakeBoxes(const CObservationRawDAQ& some) {
-    const std::vector<double>& numbers = some.AIN_double;
-    const std::size_t count =
-        (std::max(numbers.size(), rawlog::kNumbersOfAFrame) - rawlog::kNumbersOfAFrame) /
-        rawlog::kNumbersOfABox;
-    const std::vector<std::string> classes =
-        Split({reinterpret_cast<const char*>(some.AIN_8bits.data()), some.AIN_8bits.size()}, '\n');
-    if (numbers.size() != rawlog::kNumbersOfAFrame + count * rawlog::kNumbersOfABox ||
-        classes.size() < count || !(std::abs(numbers[0]) < 2e9)) {
-      return false;
-    }
-    FrameRow row{
-        .arrival = numbers[2],
-        .frame = {
-            .frame = static_cast<int>(numbers[0]), .exposure = Seconds(numbers[1]), .boxes = {}}};
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* n = &numbers[rawlog::kNumbersOfAFrame + i * rawlog::kNumbersOfABox];
-      if (!std::isfinite(n[0] + n[1] + n[2] + n[3] + n[4])) {
-        ++stream_.refused_rows;
-        row.frame.boxes.emplace_back();  // keeps the numbering; its confidence is 0
-        continue;
-      }
-      row.frame.boxes.push_back(
-          {.u = n[0], .v = n[1], .w = n[2], .h = n[3], .confidence = n[4], .color = classes[i]});
-    }
-    stream_.rows.emplace_back(std::move(row));
+    std::optional<SeenFrame> seen = FrameOf(some);
+    if (!seen) return false;
+    stream_.refused_rows += seen->refused_boxes;
+    stream_.rows.emplace_back(FrameRow{.arrival = seen->arrival, .frame = std::move(seen->frame)});
     return true;
   }
 
@@ -290,7 +257,7 @@ class RawlogParser {
   template <class T>
   [[nodiscard]] bool IsOnce(const T& object) const {
     return rows_.has_meta() && !std::is_same_v<T, CObservationComment> &&
-           object.sensorLabel != rawlog::kAttitudeSigma;
+           object.sensorLabel != observation_labels::kAttitudeSigma;
   }
   void NoteDamage(std::size_t at, const std::string& why) {
     if (damaged_++ == 0) first_damage_ = fmt::format("byte {} of {}: {}", at, bytes_.size(), why);

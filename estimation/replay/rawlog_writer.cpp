@@ -9,11 +9,10 @@
 #include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationRawDAQ.h>
-#include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include "estimation/navigation/observation_forms.hpp"
 #include "estimation/replay/rawlog.hpp"
-#include "estimation/replay/rawlog_form.hpp"
 #include "limpet/packing/gzip_bytes.hpp"
 
 namespace limpet {
@@ -24,7 +23,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 std::string MetaLines(const StreamMeta& meta) {
   const CameraModel& camera = meta.camera;
   const Eigen::Vector3d &p = camera.p_BC, &d = meta.dvl_B;
-  std::string text = rawlog::kMetaBegin;
+  std::string text = kRawlogMetaBegin;
   if (meta.has_image_size) {
     text += fmt::format("image_size,{},{}\n", camera.width_px, camera.height_px);
   }
@@ -62,93 +61,47 @@ class RawlogWriter {
   void operator()(const AttitudeEstimate& row) {
     const std::tuple sigmas(row.sd_roll, row.sd_pitch, row.sd_yaw);
     if (sigmas != sigmas_) {
-      WriteNumbers(row.t, rawlog::kAttitudeSigma, {row.sd_roll, row.sd_pitch, row.sd_yaw});
+      mrpt::obs::CObservationRawDAQ some;
+      some.AIN_double = {row.sd_roll, row.sd_pitch, row.sd_yaw};
+      Write(row.t, observation_labels::kAttitudeSigma, some);
       sigmas_ = sigmas;
     }
     mrpt::obs::CObservationIMU imu;
     imu.set(mrpt::obs::IMU_ROLL, row.roll);
     imu.set(mrpt::obs::IMU_PITCH, row.pitch);
     imu.set(mrpt::obs::IMU_YAW, row.yaw);
-    Write(row.t, rawlog::kAttitude, imu);
+    Write(row.t, observation_labels::kAttitude, imu);
   }
-  void operator()(const InertialInput& row) {
-    mrpt::obs::CObservationIMU imu;
-    imu.set(mrpt::obs::IMU_X_ACC, row.force_B.x());
-    imu.set(mrpt::obs::IMU_Y_ACC, row.force_B.y());
-    imu.set(mrpt::obs::IMU_Z_ACC, row.force_B.z());
-    imu.set(mrpt::obs::IMU_WX, row.rate_B.x());
-    imu.set(mrpt::obs::IMU_WY, row.rate_B.y());
-    imu.set(mrpt::obs::IMU_WZ, row.rate_B.z());
-    imu.set(mrpt::obs::IMU_YAW, row.heading);
-    Write(row.t, rawlog::kImu, imu);
-  }
-  void operator()(const FogRow& row) {
-    mrpt::obs::CObservationIMU imu;
-    imu.set(mrpt::obs::IMU_WZ, row.rate);
-    Write(row.t, rawlog::kFog, imu);
-  }
+  void operator()(const InertialInput& row) { Write(ObservationOf(row)); }
+  void operator()(const YawRate& row) { Write(ObservationOf(row)); }
   void operator()(const DvlRow& row) {
-    mrpt::obs::CObservationIMU ping;
-    if (row.v_WD_B) {
-      ping.set(mrpt::obs::IMU_X_VEL, row.v_WD_B->x());
-      ping.set(mrpt::obs::IMU_Y_VEL, row.v_WD_B->y());
-      ping.set(mrpt::obs::IMU_Z_VEL, row.v_WD_B->z());
-    }
-    if (row.altitude) ping.set(mrpt::obs::IMU_ALTITUDE, *row.altitude);
-    Write(row.t, rawlog::kDvl, ping);
-    if (std::ranges::any_of(row.beams, [](const auto& beam) { return beam.has_value(); })) {
-      std::vector<double> ranges;
-      for (const std::optional<double>& beam : row.beams)
-        ranges.push_back(beam.value_or(kNone));
-      WriteNumbers(row.t, rawlog::kBeams, std::move(ranges));
-    }
+    Write(ObservationOf(BottomTrack{.t = row.t, .v_WD_D = row.v_WD_B, .altitude = row.altitude}));
+    if (std::ranges::any_of(row.beams, [](const auto& beam) { return beam.has_value(); }))
+      Write(ObservationOf(SlantRanges{.t = row.t, .beams = row.beams}));
   }
-  void operator()(const DepthRow& row) {
-    mrpt::obs::CObservationIMU depth;
-    depth.set(mrpt::obs::IMU_Z, row.depth);
-    Write(row.t, rawlog::kDepth, depth);
-  }
-  void operator()(const PositionFix& row) {
-    constexpr double kUnknown = 1e6;  // variance of what a fix does not tell
-    mrpt::obs::CObservationRobotPose fix;
-    fix.pose.mean = mrpt::poses::CPose3D(row.p_W.x(), row.p_W.y(), 0.0, 0.0, 0.0, 0.0);
-    fix.pose.cov.setZero();
-    for (int i = 0; i < 6; ++i)
-      fix.pose.cov(i, i) = i < 2 ? row.sd * row.sd : kUnknown;
-    Write(row.t, rawlog::kGps, fix);
-  }
-  void operator()(const FrameRow& row) {
-    mrpt::obs::CObservationRawDAQ seen;
-    seen.AIN_double = {static_cast<double>(row.frame.frame), row.frame.exposure.value(),
-                       row.arrival};
-    for (const Box& box : row.frame.boxes) {
-      for (const double number : {box.u, box.v, box.w, box.h, box.confidence})
-        seen.AIN_double.push_back(number);
-      for (const char letter : box.color)
-        seen.AIN_8bits.push_back(static_cast<std::uint8_t>(letter == '\n' ? ' ' : letter));
-      seen.AIN_8bits.push_back('\n');
-    }
-    Write(row.frame.exposure.value(), rawlog::kBoxes, seen);
-  }
+  void operator()(const DepthReading& row) { Write(ObservationOf(row)); }
+  void operator()(const PositionFix& row) { Write(ObservationOf(row)); }
+  void operator()(const FrameRow& row) { Write(ObservationOf(row.frame, row.arrival)); }
 
   [[nodiscard]] int untimely_rows() const { return untimely_rows_; }
 
  private:
-  void WriteNumbers(double t, const char* label, std::vector<double> numbers) {
-    mrpt::obs::CObservationRawDAQ some;
-    some.AIN_double = std::move(numbers);
-    Write(t, label, some);
+  /// Nothing: of a time that MRPT cannot say.
+  void Write(const ObservationPtr& seen) {
+    if (seen == nullptr) {
+      ++untimely_rows_;
+    } else {
+      out_ << *seen;
+    }
   }
   void Write(double t, const char* label, mrpt::obs::CObservation& seen) {
-    const auto time = rawlog::TimeOf(t);
-    if (!time) {
+    if (Stamp(t, label, seen)) {
+      out_ << seen;
+    } else {
       ++untimely_rows_;
-      return;
     }
-    seen.timestamp = *time;
-    seen.sensorLabel = label;
-    out_ << seen;
   }
+
   mrpt::serialization::CArchive& out_;
   std::tuple<double, double, double> sigmas_{kNone, kNone, kNone};
   int untimely_rows_ = 0;

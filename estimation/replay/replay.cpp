@@ -38,7 +38,7 @@ class Replayer {
     // The other sensors' rows drive the estimator; attitude alone does only when they are silent.
     if (row.t - now_ > kSilence) AdvanceTo(row.t);
   }
-  void operator()(const FogRow& row) { filter_.AddFogRate(row.t, RadiansPerSecond(row.rate)); }
+  void operator()(const YawRate& row) { filter_.AddFogRate(row.t, RadiansPerSecond(row.rate)); }
   void operator()(const InertialInput& row) {
     if (!filter_.AddInertial(row)) {
       ++refused_inertial_;
@@ -57,7 +57,7 @@ class Replayer {
     const bool is_filtering = filter_.estimate().has_value() && navigator_.has_started();
     if (is_filtering) filter_.SetBodyVelocity(navigator_.Estimate(now_).v_B);
   }
-  void operator()(const DepthRow& row) { navigator_.AddDepth(row.t, Meters(row.depth)); }
+  void operator()(const DepthReading& row) { navigator_.AddDepth(row.t, Meters(row.depth)); }
   void operator()(const PositionFix& row) {
     navigator_.AddGps(row.t, row.p_W, row.sd);
     AdvanceTo(row.t);

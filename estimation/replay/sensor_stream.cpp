@@ -117,7 +117,7 @@ class StreamParser {
     } else if (kind == "DEP") {
       f.Expect(4);
       noises_.AddDepth(f.Number(3));
-      stream_.rows.emplace_back(DepthRow{f.Number(1), f.Number(2)});
+      stream_.rows.emplace_back(DepthReading{f.Number(1), f.Number(2)});
     } else if (kind == "GPS") {
       f.Expect(5);
       stream_.rows.emplace_back(PositionFix{f.Number(1), {f.Number(2), f.Number(3)}, f.Number(4)});

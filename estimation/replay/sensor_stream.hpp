@@ -12,13 +12,12 @@
 #include <Eigen/Core>
 
 #include "estimation/attitude/attitude_filter.hpp"
-#include "estimation/navigation/position_fix.hpp"
+#include "estimation/navigation/motion_readings.hpp"
 #include "limpet/core/camera_model.hpp"
 #include "limpet/core/expected.hpp"
 #include "limpet/core/geodesy.hpp"
 #include "limpet/core/lens_model.hpp"
 #include "limpet/core/message.hpp"
-#include "limpet/objects/frame.hpp"
 
 namespace limpet {
 
@@ -54,15 +53,9 @@ struct DvlRow {
   std::optional<double> altitude;                   ///< of the DVL above the seabed [m]
   std::array<std::optional<double>, 4> beams = {};  ///< slant ranges [m]
 };
-struct DepthRow {
-  double t = 0.0, depth = 0.0;
-};
 struct FrameRow {
   double arrival = 0.0;
   Detections frame;
-};
-struct FogRow {
-  double t = 0.0, rate = 0.0;  ///< about body z [rad/s]
 };
 /// What a further sensor said, as its mail is written: `variable` and its value.
 struct SourceRow {
@@ -71,8 +64,8 @@ struct SourceRow {
   Value value;
 };
 /// Attitudes, or what a filter makes them of: inertial samples, and a fibre-optic gyro's rates.
-using StreamRow =
-    std::variant<AttitudeEstimate, DvlRow, DepthRow, PositionFix, FrameRow, InertialInput, FogRow>;
+using StreamRow = std::variant<AttitudeEstimate, DvlRow, DepthReading, PositionFix, FrameRow,
+                               InertialInput, YawRate>;
 
 struct SensorStream {
   StreamMeta meta;

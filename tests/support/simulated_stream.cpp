@@ -146,7 +146,7 @@ class Recorder {
     const double noise = scene_.true_noise * random_.Normal(out_.stream.meta.noise.depth);
     const double stamp = depth_stamp_.StampOf(Seconds(t)).value();
     const double depth = X.p_WB.z() + depth_bias_ + noise + pressure_.At(Seconds(t));
-    rows_.push_back({std::max(t, stamp) + 2e-4, DepthRow{stamp, depth}});
+    rows_.push_back({std::max(t, stamp) + 2e-4, DepthReading{stamp, depth}});
   }
 
   void TakeFix(double t, const SimulatedVehicle& vehicle) {

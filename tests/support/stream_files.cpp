@@ -24,7 +24,7 @@ std::string LineOf(const DvlRow& row) {
   return fmt::format("DVL,{},1,{},{},{},0.01,0.005,{},,,,\n", row.t, v.x(), v.y(), v.z(), altitude);
 }
 
-std::string LineOf(const DepthRow& row) {
+std::string LineOf(const DepthReading& row) {
   return fmt::format("DEP,{},{},0.02\n", row.t, row.depth);
 }
 
@@ -46,7 +46,7 @@ std::string LineOf(const FrameRow& row) {
 
 /// A stream's folder holds attitudes, not what they are made of.
 std::string LineOf(const InertialInput& /*row*/) { return {}; }
-std::string LineOf(const FogRow& /*row*/) { return {}; }
+std::string LineOf(const YawRate& /*row*/) { return {}; }
 
 std::string MetaOf(const StreamMeta& meta) {
   const CameraModel& camera = meta.camera;

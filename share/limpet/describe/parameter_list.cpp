@@ -215,7 +215,8 @@ std::string Markdown(const std::vector<ParameterOwner>& owners) {
   add(Kind::kDetector, "Detectors",
       "Chosen by `detector` in the block of pDetect, which takes these keys beside its own");
   add(Kind::kSource, "Measurement sources",
-      "Sensors that aid the estimate, heard if `sources` in the block of pNav names them; it takes "
+      "Sensors, heard if `sensors` in the block of pNav names them (those that dead reckoning "
+      "stands on: imu, fog, dvl, dvl_beams, depth, gps, boxes) or `sources` (any others); it takes "
       "these keys beside its own");
   return page;
 }

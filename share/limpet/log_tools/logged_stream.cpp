@@ -4,9 +4,10 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 
+#include "estimation/navigation/measurement_source.hpp"
 #include "limpet/core/frames.hpp"
-#include "limpet/topics/sensors.hpp"
 
 namespace limpet {
 namespace {
@@ -28,31 +29,34 @@ StreamMeta MetaOf(const VehicleFile& vehicle) {
   return meta;
 }
 
-std::optional<StreamRow> RowOf(double t, const ImuSample& s) {
-  return InertialInput{
-      .t = t, .force_B = {s.fx, s.fy, s.fz}, .rate_B = {s.p, s.q, s.r}, .heading = s.heading};
-}
+/// Makes rows of readings; slant ranges go into that of their ping.
+class RowKeeper {
+ public:
+  RowKeeper(SensorStream& stream, const Eigen::Matrix3d& R_BD, double arrival)
+      : stream_(stream), R_BD_(R_BD), arrival_(arrival) {}
 
-std::optional<StreamRow> RowOf(double t, const DvlSample& s, const Eigen::Matrix3d& R_BD) {
-  DvlRow row{.t = t, .v_WD_B = {}, .altitude = s.altitude, .beams = s.beams()};
-  if (s.has_lock && s.u && s.v && s.w) row.v_WD_B = R_BD * Eigen::Vector3d(*s.u, *s.v, *s.w);
-  return row;
-}
+  template <class Reading>
+  void operator()(const Reading& reading) {
+    stream_.rows.emplace_back(reading);
+  }
+  void operator()(const Detections& frame) {
+    stream_.rows.emplace_back(FrameRow{.arrival = arrival_, .frame = frame});
+  }
+  void operator()(const BottomTrack& ping) {
+    DvlRow row{.t = ping.t, .v_WD_B = {}, .altitude = ping.altitude};
+    if (ping.v_WD_D) row.v_WD_B = R_BD_ * *ping.v_WD_D;
+    stream_.rows.emplace_back(row);
+  }
+  void operator()(const SlantRanges& ping) {
+    auto* row = stream_.rows.empty() ? nullptr : std::get_if<DvlRow>(&stream_.rows.back());
+    if (row != nullptr) row->beams = ping.beams;
+  }
 
-std::optional<StreamRow> RowOf(double t, const GpsFix& s) {
-  return PositionFix{.t = t, .p_W = {s.north, s.east}, .sd = s.sd};
-}
-
-std::optional<StreamRow> RowOf(double t, Detections frame) {
-  return FrameRow{.arrival = t, .frame = std::move(frame)};
-}
-
-/// The row of an entry's value as this topic, or nothing if it is none.
-template <class T, class... More>
-std::optional<StreamRow> RowAs(double t, const Value& value, const More&... more) {
-  auto sample = TopicCodec<T>::Decode(value);
-  return sample ? RowOf(t, *std::move(sample), more...) : std::nullopt;
-}
+ private:
+  SensorStream& stream_;
+  const Eigen::Matrix3d& R_BD_;
+  double arrival_;
+};
 
 }  // namespace
 
@@ -64,33 +68,20 @@ LoggedStream::LoggedStream(const std::optional<VehicleFile>& vehicle, double obj
   stream_.meta.opi_radius = object_radius_m;
 }
 
-void LoggedStream::Keep(std::optional<StreamRow> row) {
-  if (row) {
-    stream_.rows.push_back(*std::move(row));
-  } else {
-    ++bad_entries_;
-  }
-}
-
 bool LoggedStream::Take(const AlogEntry& entry, double start) {
   const double t = start + entry.time;
   const Value value = entry.number ? Value(*entry.number) : Value(std::string(entry.value));
-  if (entry.name == topics::kImuData.name) {
-    Keep(RowAs<ImuSample>(t, value));
-  } else if (entry.name == topics::kDvlData.name) {
-    Keep(RowAs<DvlSample>(t, value, R_BD_));
-  } else if (entry.name == topics::kGpsData.name) {
-    Keep(RowAs<GpsFix>(t, value));
-  } else if (entry.name == topics::kDetections.name) {
-    Keep(RowAs<Detections>(t, value));
-  } else if (entry.name == topics::kFogYawRate.name) {
-    Keep(entry.number ? std::optional<StreamRow>(FogRow{t, *entry.number}) : std::nullopt);
-  } else if (entry.name == topics::kDepthSensor.name) {
-    Keep(entry.number ? std::optional<StreamRow>(DepthRow{t, *entry.number}) : std::nullopt);
-  } else {
-    return false;
+  bool is_heard = false;
+  for (const std::unique_ptr<MotionSensor>& sensor : sensors_) {
+    if (sensor->variable() != entry.name) continue;
+    if (const auto reading = sensor->Read(t, value)) {
+      std::visit(RowKeeper(stream_, R_BD_, t), *reading);
+    } else if (!is_heard) {
+      ++bad_entries_;  // once, however many sensors hear it
+    }
+    is_heard = true;
   }
-  return true;
+  return is_heard;
 }
 
 }  // namespace limpet

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "estimation/navigation/source_block.hpp"
 #include "estimation/replay/sensor_stream.hpp"
 #include "limpet/logbook/alog_reader.hpp"
 #include "limpet/vehicle_file/vehicle_file.hpp"
 
 namespace limpet {
 
-/// What the sensors of a logged run said, as a stream: IMU_DATA, FOG_YAW_RATE, DVL_DATA,
-/// DEPTH_SENSOR, GPS_DATA and DETECTIONS, each as it was logged, in order of arrival.
+/// What the sensors of a logged run said that dead reckoning usually stands on, as a stream:
+/// IMU_DATA, FOG_YAW_RATE, DVL_DATA, DEPTH_SENSOR, GPS_DATA and DETECTIONS, each as it was logged,
+/// in order of arrival.
 class LoggedStream {
  public:
   /// `vehicle`: camera, and where and how turned the DVL is. Without one the DVL looks ahead.
@@ -24,9 +28,8 @@ class LoggedStream {
   [[nodiscard]] std::size_t bad_entries() const { return bad_entries_; }
 
  private:
-  void Keep(std::optional<StreamRow> row);
-
   Eigen::Matrix3d R_BD_ = Eigen::Matrix3d::Identity();  ///< body from the DVL's own frame
+  std::vector<std::unique_ptr<MotionSensor>> sensors_ = UsualSensors();
   SensorStream stream_;
   std::size_t bad_entries_ = 0;
 };

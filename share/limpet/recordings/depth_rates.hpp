@@ -13,7 +13,7 @@ namespace limpet {
 /// The depth's rate around times that rise.
 class DepthRates {
  public:
-  explicit DepthRates(const std::vector<DepthRow>& depths) : depths_(depths) {}
+  explicit DepthRates(const std::vector<DepthReading>& depths) : depths_(depths) {}
   /// Nothing where samples do not lie over most of the window.
   [[nodiscard]] std::optional<double> At(double t) {
     while (begin_ < depths_.size() && depths_[begin_].t < t - 0.5 * kWindow)
@@ -29,7 +29,7 @@ class DepthRates {
 
  private:
   static constexpr double kWindow = 2.0;  ///< [s]
-  const std::vector<DepthRow>& depths_;
+  const std::vector<DepthReading>& depths_;
   std::size_t begin_ = 0, end_ = 0;
 };
 

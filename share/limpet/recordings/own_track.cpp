@@ -65,7 +65,7 @@ Expected<SensorStream> StreamOf(const Recording& recording, Radians heading_sigm
                .altitude = {},
                .beams = {}});
   }
-  for (const DepthRow& depth : recording.depths)
+  for (const DepthReading& depth : recording.depths)
     stream.rows.emplace_back(depth);
   std::ranges::stable_sort(stream.rows, {}, TimeOf);
   return stream;

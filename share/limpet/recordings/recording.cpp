@@ -32,7 +32,7 @@ Recording RecordingOf(const SensorStream& stream, const std::string& name) {
                                  .beam_ranges = dvl->beams,
                                  .v_D = dvl->v_WD_B,
                                  .altitude = dvl->altitude});
-    } else if (const auto* depth = std::get_if<DepthRow>(&row)) {
+    } else if (const auto* depth = std::get_if<DepthReading>(&row)) {
       recording.depths.push_back(*depth);
     }
   }

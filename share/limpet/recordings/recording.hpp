@@ -51,7 +51,7 @@ struct MissingData {
 struct Recording {
   std::string name;  ///< of the file or folder, for messages
   std::vector<DvlPing> pings;
-  std::vector<DepthRow> depths;
+  std::vector<DepthReading> depths;
   OwnNavigation own{};
   std::vector<MissingData> missing;
   std::vector<std::string> left_out;     ///< files and rows that are not in here, and why

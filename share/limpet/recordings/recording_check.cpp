@@ -159,13 +159,13 @@ std::optional<VerticalAgreement> CompareVertically(const Recording& recording) {
   return agreement;
 }
 
-DepthCheck CheckDepth(const std::vector<DepthRow>& depths) {
+DepthCheck CheckDepth(const std::vector<DepthReading>& depths) {
   DepthCheck check;
   check.times = TimesOf(depths);
-  const auto [least, greatest] = std::ranges::minmax(depths, {}, &DepthRow::depth);
+  const auto [least, greatest] = std::ranges::minmax(depths, {}, &DepthReading::depth);
   check.least = least.depth, check.greatest = greatest.depth;
   DepthRates rates(depths);
-  for (const DepthRow& row : depths) {
+  for (const DepthReading& row : depths) {
     const double rate = rates.At(row.t).value_or(0.0);
     check.fastest_down = std::max(check.fastest_down, rate);
     check.fastest_up = std::max(check.fastest_up, -rate);

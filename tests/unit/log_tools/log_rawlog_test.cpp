@@ -71,9 +71,9 @@ class LogRawlog : public ::testing::Test {
 TEST_F(LogRawlog, HoldsEveryMeasurementAtItsTime) {
   const SensorStream stream = Convert();
   EXPECT_EQ(CountOf<InertialInput>(stream), 3000U);
-  EXPECT_EQ(CountOf<FogRow>(stream), 3000U);
+  EXPECT_EQ(CountOf<YawRate>(stream), 3000U);
   EXPECT_EQ(CountOf<DvlRow>(stream), 300U);
-  EXPECT_EQ(CountOf<DepthRow>(stream), 300U);
+  EXPECT_EQ(CountOf<DepthReading>(stream), 300U);
   EXPECT_EQ(CountOf<PositionFix>(stream), 20U);
   EXPECT_NEAR(std::get<InertialInput>(stream.rows.front()).t, 1767225600.0, 1e-6);
   const auto& frame = std::get<FrameRow>(stream.rows.back());

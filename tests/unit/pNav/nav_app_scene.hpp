@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,8 +19,14 @@ namespace limpet {
 /// A vehicle with ideal sensors that runs east at 0.5 m/s, level, at 1 m depth.
 class NavAppTest : public ::testing::Test {
  protected:
-  NavAppTest() { app_.emplace(MakeContext(), NavApp::Params{}); }
+  NavAppTest() { Launch(MakeContext()); }
 
+  /// With the sensors that dead reckoning usually stands on.
+  void Launch(const AppContext& context, const NavApp::Params& params = {}) {
+    app_.emplace(context, params);
+    for (auto& sensor : UsualSensors())
+      app_->Hear("usual", std::move(sensor));
+  }
   AppContext MakeContext() {
     AppContext context;
     context.name = "pNav";

@@ -31,6 +31,8 @@ std::vector<std::string> WarnedOf(const Drivers& drivers) {
   context.link = &link;
   context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
   NavApp app(context, NavApp::Params{});
+  for (auto& sensor : UsualSensors())
+    app.Hear("usual", std::move(sensor));
   constexpr double kTurn = 0.15, kSpeed = 0.5, kSink = 0.2;
   double yaw = 0.0, depth = 2.0, north = 0.0, east = 0.0;
   for (int i = 0; i < 50 * 150; ++i) {

@@ -30,7 +30,7 @@ TEST_F(NavAppTest, WarnsOfADepthSensorThatTellsTheAbsolutePressure) {
   depth_ = 0.1;
   RunFor(30.0);
   EXPECT_FALSE(app_->warnings().contains("DEPTH_NOT_ZEROED"));
-  app_.emplace(MakeContext(), NavApp::Params{});
+  Launch(MakeContext());
   depth_ = 10.2;
   RunFor(30.0);
   EXPECT_TRUE(app_->warnings().contains("DEPTH_NOT_ZEROED"));
@@ -182,7 +182,7 @@ TEST_F(NavAppTest, WarnsOfAFormerSessionWhoseFrameLiesElsewhere) {
 TEST_F(NavAppTest, RectifiesTheBoxesOfALensThatDistorts) {
   NavApp::Params params;
   params.camera.distortion = {-0.18, 0.03, 0.0, 0.0, 0.0};
-  app_.emplace(MakeContext(), params);
+  Launch(MakeContext(), params);
   RunFor(20.0);
   const Box box{.u = 500, .v = 240, .w = 60, .h = 60, .confidence = 0.9, .color = "yellow"};
   const Box corner{.u = 5, .v = 5, .w = 8, .h = 8, .confidence = 0.9, .color = "red"};
@@ -294,7 +294,7 @@ TEST_F(NavAppTest, TurnsTheVelocityOfADvlThatIsMountedTurned) {
   AppContext context = MakeContext();
   context.globals = {{"VehicleFile", "vehicle.yaml", {}}};
   context.mission_folder = folder.path();
-  app_.emplace(context, NavApp::Params{});
+  Launch(context);
   RunFor(20.0, -0.5);  // the DVL says astern, and is mounted astern
   EXPECT_NEAR(link_.Last(topics::kNavState)->u, 0.5, 0.01);
 }
@@ -306,7 +306,7 @@ TEST_F(NavAppTest, IsTheLessSureInSilenceTheFasterTheVehicleIs) {
   AppContext context = MakeContext();
   context.globals = {{"VehicleFile", "vehicle.yaml", {}}};
   context.mission_folder = folder.path();
-  app_.emplace(context, NavApp::Params{});
+  Launch(context);
   RunFor(20.0);
   StayDeaf(2000.0);
   // 2.5 m/s of vehicle and 0.5 m/s of water, anywhere within reach.

@@ -78,6 +78,48 @@ TEST(NavBlock, ASourceIsNamedOnce) {
   EXPECT_THAT(ProblemsOf({{"sources", "acoustic_fix, acoustic_fix"}}), HasSubstr("twice"));
 }
 
+TEST(NavBlock, WhatDeadReckoningStandsOnIsNamedUnderSensors) {
+  EXPECT_THAT(ProblemsOf({{"sensors", "imu, dvl, depth, gps"}, {"dvl_variable", "NUCLEUS_DVL"}}),
+              IsEmpty());
+  EXPECT_THAT(ProblemsOf({{"sensors", "imu, dvll"}}),
+              AllOf(HasSubstr("m.moos:7"), HasSubstr("did you mean `dvl`?")));
+  EXPECT_THAT(ProblemsOf({{"sensors", "imu, acoustic_fix"}}), HasSubstr("`sources` names it"));
+  EXPECT_THAT(ProblemsOf({{"sources", "gps"}}), HasSubstr("`sensors` names it"));
+}
+
+TEST(NavBlock, AKeyOfASensorThatIsNotHeardIsAnError) {
+  EXPECT_THAT(ProblemsOf({{"sensors", "imu, dvl, depth, gps"}, {"fog_variable", "KVH"}}),
+              HasSubstr("fog_variable"));
+}
+
+TEST(NavBlock, SensorsAreHeardUnderTheNamesThatItGives) {
+  TestLink link;
+  AppContext context;
+  context.name = "pNav";
+  context.link = &link;
+  context.globals = {{"VehicleFile", "feelhippo.yaml", {}}};
+  const auto app =
+      CreateNavApp(context, Block({{"sensors", "imu, dvl, gps"}, {"dvl_variable", "NUCLEUS_DVL"}}));
+  const auto has_lock_of = [&](const std::string& variable) {
+    Topic<DvlSample> said = topics::kDvlData;
+    said.name = variable;
+    for (int i = 0; i < 1000; ++i) {
+      link.time = link.time + Seconds(0.02);
+      link.Send(*app, topics::kImuData, ImuSample{.fz = -9.81});
+      link.Send(*app, topics::kGpsData, GpsFix{.sd = 0.5});
+      DvlSample at_rest;
+      at_rest.has_lock = true;
+      at_rest.u = at_rest.v = at_rest.w = 0.0;
+      link.Send(*app, said, at_rest);
+      if (i % 5 == 0) app->Tick(link.time);
+    }
+    return link.Last(topics::kNavState)->dvl.is_valid.value_or(false);
+  };
+  link.time = Seconds(1767225600.0);
+  EXPECT_FALSE(has_lock_of("DVL_DATA"));
+  EXPECT_TRUE(has_lock_of("NUCLEUS_DVL"));
+}
+
 /// A vehicle at rest under water that hears acoustic fixes.
 class HearingNav : public ::testing::Test {
  protected:

@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 double StampOf(const StreamRow& row) {
   if (const auto* frame = std::get_if<FrameRow>(&row)) return frame->arrival;
   if (const auto* dvl = std::get_if<DvlRow>(&row)) return dvl->t;
-  if (const auto* depth = std::get_if<DepthRow>(&row)) return depth->t;
+  if (const auto* depth = std::get_if<DepthReading>(&row)) return depth->t;
   return std::get<AttitudeEstimate>(row).t;
 }
 
@@ -28,7 +28,7 @@ SensorStream Swim() {
   for (int i = 0; i < 6000; ++i) {
     const double t = 0.1 * i;
     stream.rows.emplace_back(AttitudeEstimate{.t = t, .yaw = 0.003 * t});
-    stream.rows.emplace_back(DepthRow{t + 0.03, 3.0 + 0.001 * t});
+    stream.rows.emplace_back(DepthReading{t + 0.03, 3.0 + 0.001 * t});
     if (i % 2 == 0 && i > 2)
       stream.rows.emplace_back(DvlRow{.t = t - 0.2, .v_WD_B = {}, .altitude = {}});
     if (i % 5 == 0 && i > 5) {
@@ -50,7 +50,7 @@ void SetClock(SensorStream& stream, double from, double by, double until = 1e9) 
       if (exposure >= from) frame->frame.exposure = Seconds(exposure + by);
     } else if (auto* dvl = std::get_if<DvlRow>(&row)) {
       dvl->t += by;
-    } else if (auto* depth = std::get_if<DepthRow>(&row)) {
+    } else if (auto* depth = std::get_if<DepthReading>(&row)) {
       depth->t += by;
     } else {
       std::get<AttitudeEstimate>(row).t += by;
@@ -145,7 +145,7 @@ TEST(ClockSteps, APauseIsAPauseAndAfterHalfAnHourAnotherDive) {
     SensorStream stream = Swim();
     SetClock(stream, 300.0, pause);
     for (StreamRow& row : stream.rows) {
-      auto* depth = std::get_if<DepthRow>(&row);
+      auto* depth = std::get_if<DepthReading>(&row);
       if (depth != nullptr && depth->t >= 300.0) depth->depth += 2.0;
     }
     TakeOutClockSteps("run", stream);

@@ -35,7 +35,7 @@ std::vector<double> NumbersOf(const InertialInput& row) {
   return {row.t,          row.force_B.x(), row.force_B.y(), row.force_B.z(),
           row.rate_B.x(), row.rate_B.y(),  row.rate_B.z(),  row.heading};
 }
-std::vector<double> NumbersOf(const FogRow& row) { return {row.t, row.rate}; }
+std::vector<double> NumbersOf(const YawRate& row) { return {row.t, row.rate}; }
 std::vector<double> NumbersOf(const DvlRow& row) {
   const Eigen::Vector3d v = row.v_WD_B.value_or(Eigen::Vector3d::Constant(-99.0));
   return {row.t,
@@ -46,7 +46,7 @@ std::vector<double> NumbersOf(const DvlRow& row) {
           row.beams[0].value_or(-99.0),
           row.beams[3].value_or(-99.0)};
 }
-std::vector<double> NumbersOf(const DepthRow& row) { return {row.t, row.depth}; }
+std::vector<double> NumbersOf(const DepthReading& row) { return {row.t, row.depth}; }
 std::vector<double> NumbersOf(const PositionFix& row) {
   return {row.t, row.p_W.x(), row.p_W.y(), row.sd};
 }
@@ -84,7 +84,7 @@ SensorStream EveryRow() {
       DvlRow{.t = 0.3, .v_WD_B = Eigen::Vector3d(0.5, 1.0 / 7.0, -0.1), .altitude = 4.2},
       DvlRow{.t = 0.4, .v_WD_B = {}, .altitude = {}},
       DvlRow{.t = 0.5, .v_WD_B = {}, .altitude = 3.0, .beams = {{3.1, {}, 3.3, 3.4}}},
-      DepthRow{.t = 0.6, .depth = 3.0000001},
+      DepthReading{.t = 0.6, .depth = 3.0000001},
       PositionFix{.t = 0.7, .p_W = {-12.5, 1.0 / 3.0}, .sd = 0.58},
       FrameRow{
           .arrival = 1.05,
@@ -97,7 +97,7 @@ SensorStream EveryRow() {
                     .force_B = {0.1, 0.2, -9.8},
                     .rate_B = {1e-3, 2e-3, 3e-3},
                     .heading = 6.0},
-      FogRow{.t = 1'767'225'600.02, .rate = -1e-5}};
+      YawRate{.t = 1'767'225'600.02, .rate = -1e-5}};
   return stream;
 }
 
@@ -168,7 +168,7 @@ TEST(Rawlog, ThatMrptWroteAgainIsTheSameStream) {
 
 TEST(Rawlog, RowsWhoseTimeIsNoneAreCounted) {
   SensorStream stream = EveryRow();
-  stream.rows.emplace_back(DepthRow{.t = 1e300, .depth = 1.0});
+  stream.rows.emplace_back(DepthReading{.t = 1e300, .depth = 1.0});
   EXPECT_EQ(ToRawlog(stream).untimely_rows, 1);
 }
 
