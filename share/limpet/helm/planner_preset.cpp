@@ -12,7 +12,7 @@ namespace {
 
 /// Every option is completed to the end of the survey by the plan of the whole.
 PlannerPreset LimpetPreset() {
-  return {.generators = "beam, gaps, tour, plan, home, transit",
+  return {.generators = "beam, gaps, view_tree, tour, plan, home, transit",
           .stand_ins = {},
           .order = OptionOrder::kPerMetre,
           .decides_at_views_only = false};
