@@ -78,16 +78,15 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
 }
 
 void NavApp::SubscribeTo(const MeasurementSource& source,
-                         std::function<void(std::shared_ptr<mrpt::obs::CObservation>)> use) {
+                         std::function<bool(std::shared_ptr<mrpt::obs::CObservation>)> use) {
   SubscribeRaw(source.variable(), [this, &source, use = std::move(use)](const MessagePtr& message) {
     if (!HasUsableStamp(message->name, message->time, message->source)) return;
     auto seen = source.Observe(message->time.value(), message->value);
-    if (seen == nullptr) {
+    if (seen != nullptr && use(std::move(seen))) {
+      ClearWarning(warnings::kBadMail, message->name);
+    } else {
       Warn(warnings::kBadMail.Of(message->name), "makes no sense; sent by " + message->source);
-      return;
     }
-    ClearWarning(warnings::kBadMail, message->name);
-    use(std::move(seen));
   });
 }
 
@@ -102,9 +101,9 @@ void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> so
 void NavApp::HearMotion(std::unique_ptr<MotionSensor> sensor) {
   using Seen = std::shared_ptr<mrpt::obs::CObservation>;
   SubscribeTo(*sensor, [this, heard = sensor.get()](const Seen& seen) {
-    if (const auto reading = heard->ReadingOf(*seen)) {
-      std::visit([this](const auto& one) { this->On(one); }, *reading);
-    }
+    const auto reading = heard->ReadingOf(*seen);
+    if (reading) std::visit([this](const auto& one) { this->On(one); }, *reading);
+    return reading.has_value();
   });
   sensors_.push_back(std::move(sensor));
 }
@@ -117,6 +116,7 @@ void NavApp::HearAiding(const std::string& name, std::unique_ptr<MeasurementSour
     aiding_[static_cast<std::size_t>(number)].heard.Note(
         {.stamp = SecondsOf(*seen), .now = now().value()});
     navigator_.AddObservation(number, std::move(seen));
+    return true;
   });
 }
 

@@ -110,9 +110,10 @@ class NavApp final : public App {
  private:
   void HearMotion(std::unique_ptr<MotionSensor> sensor);
   void HearAiding(const std::string& name, std::unique_ptr<MeasurementSource> source);
-  /// Hands on what `source` makes of each message that it hears and that makes sense.
+  /// Hands on what `source` makes of each message that it hears; `use` says whether that makes
+  /// sense.
   void SubscribeTo(const MeasurementSource& source,
-                   std::function<void(std::shared_ptr<mrpt::obs::CObservation>)> use);
+                   std::function<bool(std::shared_ptr<mrpt::obs::CObservation>)> use);
   void On(const InertialInput& sample);
   void On(const YawRate& turning);
   void On(const BottomTrack& ping);

@@ -172,6 +172,18 @@ void CheckImages(const MissionReading& reading, bool has_reader, MissionProblems
   }
 }
 
+/// Says which variables of nobody's the app hears because its block names them: a sensor's under a
+/// name of its own.
+void NoteNamed(const LaunchedApp& app, const Names& heard, MissionProblems& found) {
+  for (const ConfigEntry& entry : app.block.entries) {
+    if (!heard.contains(entry.value) || VariableCatalog().contains(entry.value)) continue;
+    found.notes.push_back({entry.where, entry.key,
+                           fmt::format("no app that is launched here writes {}: it must come from "
+                                       "a program that is started otherwise",
+                                       entry.value)});
+  }
+}
+
 }  // namespace
 
 std::vector<ConfigProblem> CheckRoles(const MissionReading& reading, MissionProblems& found) {
@@ -183,6 +195,7 @@ std::vector<ConfigProblem> CheckRoles(const MissionReading& reading, MissionProb
     if (!app.stands_for.empty()) continue;  // its mission has other writers, or no use for it
     const Names heard =
         HeardBy(app, reading, IsForStock(reading, app.process) ? found.refused_here : problems);
+    if (reading.strangers().empty() && !reading.Launches("pShare")) NoteNamed(app, heard, found);
     has_image_reader = has_image_reader || heard.contains("CAMERA_FRAME");
     const Names conditions = app.process == "pHelm" ? ReadByConditions(reading) : Names{};
     for (const std::string& name : heard) {

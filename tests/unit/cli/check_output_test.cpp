@@ -213,6 +213,15 @@ TEST(CheckVerbOfFiles, ExpectsNothingOfALoggerThatOnlyListens) {
   EXPECT_THAT(simulated.text, HasSubstr("must come from uSimMarine: pNodeReporter needs it"));
 }
 
+TEST(CheckVerb, NotesASensorThatNobodyHereWrites) {
+  const std::string table1 = (kMissions / "table1").string();
+  const Checked other = Check({table1, "--set", "pNav.dvl_variable=NUCLEUS_DVL"});
+  EXPECT_EQ(other.exit_code, kOk) << other.text;
+  EXPECT_THAT(other.text, HasSubstr("dvl_variable: no app that is launched here writes "
+                                    "NUCLEUS_DVL"));
+  EXPECT_THAT(Check({table1}).text, Not(HasSubstr("no app that is launched here")));
+}
+
 TEST(CheckVerbOfFiles, SaysOnceOfABlockThatItIsNoListOfSettings) {
   const TemporaryFolder folder;
   const fs::path moos = folder.path() / "plug_modem.moos";
