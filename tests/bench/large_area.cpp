@@ -61,6 +61,8 @@ double EditsPerSecond(ViewPlanner& planner, const Pose2& pose) {
   return kEdits / (ThreadTime().value() - begun);
 }
 
+constexpr double kImageStep = 0.25;  // [m]
+
 Cost Fly(const SurveyArea& area, double altitude, double way) {
   ViewParams params;
   params.survey_altitude = Meters(altitude);
@@ -89,8 +91,8 @@ Cost Fly(const SurveyArea& area, double altitude, double way) {
     spent += took;
     cost.longest = std::max(cost.longest, took);
     const DubinsPath path = planner.path().Prefix(params.replan_every.value() + 0.5);
-    if (path.length() <= 0.0) break;  // it is at the end
-    path.Sample(0.25, [&](const Pose2& pose, double) {
+    if (path.length() < kImageStep) break;  // it is at the end
+    path.Sample(kImageStep, [&](const Pose2& pose, double) {
       nav.north = pose.north, nav.east = pose.east, nav.yaw = pose.yaw;
       grid.Observe({{nav.north, nav.east, nav.down}, 0.0, 0.0, nav.yaw}, altitude, CameraModel{});
       static_cast<void>(planner.Guide(nav));

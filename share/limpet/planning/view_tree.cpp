@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "limpet/planning/motion_hash.hpp"
 #include "limpet/planning/path_valuer.hpp"
 
 namespace limpet {
@@ -62,6 +63,11 @@ class Tree {
       for (const int view : branch) {
         path.Append(At(view).edge);
       }
+      // Ways to many places that are far behind begin alike, and are cut before they part.
+      const bool is_offered = std::ranges::any_of(offers, [&path](const Option& other) {
+        return IsSame(other.path.end(), path.end()) && other.path.length() == path.length();
+      });
+      if (is_offered) continue;
       offers.push_back(
           {.source = "view_tree", .path = std::move(path), .estimate = At(leaf).value});
     }

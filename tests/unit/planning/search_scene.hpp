@@ -29,6 +29,18 @@ struct HalfSeen {
   Ground ground{grid, TableFootprint()};
 };
 
+/// All of the area but its north has been seen.
+struct NearlySeen {
+  NearlySeen() {
+    for (double north = -15.0; north < 11.0; north += 3.0) {
+      Fly(grid, DubinsPath({north, -18.0, 0.5 * std::numbers::pi}, {{0.0, 36.0}}));
+    }
+    ground.Update(grid);
+  }
+  SurveyGrid grid{kArea};
+  Ground ground{grid, TableFootprint()};
+};
+
 inline Objective Defaults() {
   Objective objective;
   objective.ground = {.cover = 1.0, .frontier = 0.2};

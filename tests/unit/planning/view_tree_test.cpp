@@ -36,6 +36,23 @@ TEST(ViewTree, IsDeterministicForASeed) {
              ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), {}, two));
 }
 
+TEST(ViewTree, OffersNoPathTwice) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    NearlySeen scene;
+    Random random(seed);
+    const auto offers = ViewTree(kStart, scene.ground, kSceneRegion, Defaults(), {}, random);
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Pose2 one = offers[i].path.end(), other = offers[j].path.end();
+        EXPECT_FALSE(one.north == other.north && one.east == other.east &&
+                     offers[i].path.length() == offers[j].path.length())
+            << "seed " << seed << ", " << offers[i].path.length() << " m, worth "
+            << offers[i].estimate;
+      }
+    }
+  }
+}
+
 TEST(ViewTree, RewiringDoesNotMakeTheBestBranchWorse) {
   const HalfSeen scene;
   double with = 0.0, without = 0.0;
