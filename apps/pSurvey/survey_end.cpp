@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // When a survey is over, and whether that is by its own judgement.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "apps/pSurvey/survey_app.hpp"
@@ -11,12 +13,19 @@ namespace {
 /// A survey that the helm has given up for so long, short of its target by slivers, is over.
 constexpr Seconds kGivenUpFor(10.0);
 constexpr double kNearTarget = 0.98;
+/// Farther from it the helm may yet find a way that shows more; not after so long without any.
+constexpr Seconds kInVainFor(40.0);
+constexpr double kFarFromTarget = 0.9;
 
 }  // namespace
 
 bool SurveyApp::IsGivenUp(Seconds now) const {
-  return given_up_since_ && now - *given_up_since_ > kGivenUpFor && OpenRevisits() == 0 &&
-         CoveredShare(coverage_) >= kNearTarget * AttainableShare() * params_.coverage_target;
+  if (!given_up_since_ || OpenRevisits() > 0) return false;
+  const double covered = CoveredShare(coverage_);
+  const double target = AttainableShare() * params_.coverage_target;
+  const Seconds in_vain = now - std::max(*given_up_since_, last_progress_);
+  return (covered >= kNearTarget * target && now - *given_up_since_ > kGivenUpFor) ||
+         (covered >= kFarFromTarget * target && in_vain > kInVainFor);
 }
 
 void SurveyApp::Survey(Seconds now) {

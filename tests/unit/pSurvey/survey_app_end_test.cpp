@@ -68,6 +68,31 @@ TEST_F(SurveyEndTest, GoesHomeByItsOwnJudgementWhenTheHelmFindsNothingMoreThatIs
   EXPECT_FALSE(app_.warnings().contains("COVERAGE_STALLED"));
 }
 
+TEST_F(SurveyEndTest, AHelmThatHasGivenUpFliesInVainForFortySecondsAtMost) {
+  ReachSurvey();
+  const auto cover = [this](double share) {
+    link_.Send(app_, topics::kMapCoverage,
+               Coverage{.seabed = 0.99, .band = 0.97, .band_top = share});
+  };
+  link_.Send(app_, topics::kHelmGivesUp, true);
+  cover(0.90);
+  Tick(35.0);
+  cover(0.93);
+  Tick(35.0);
+  EXPECT_EQ(Phase(), "SURVEY") << "it has found something after all";
+  Tick(6.0);
+  EXPECT_EQ(Phase(), "RETURN");
+  EXPECT_FALSE(app_.warnings().contains("COVERAGE_STALLED"));
+}
+
+TEST_F(SurveyEndTest, AHelmThatHasGivenUpFarFromTheTargetStalls) {
+  ReachSurvey();
+  link_.Send(app_, topics::kHelmGivesUp, true);
+  link_.Send(app_, topics::kMapCoverage, Coverage{.seabed = 0.9, .band = 0.8, .band_top = 0.7});
+  Tick(100.0);
+  EXPECT_EQ(Phase(), "SURVEY");
+}
+
 TEST_F(SurveyEndTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
   ReachSurvey();
   Tick(241.0);
