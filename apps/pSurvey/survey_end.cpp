@@ -15,7 +15,7 @@ constexpr Seconds kGivenUpFor(10.0);
 constexpr double kNearTarget = 0.98;
 /// Farther from it the helm may yet find a way that shows more; not after so long without any.
 constexpr Seconds kInVainFor(40.0);
-constexpr double kFarFromTarget = 0.9;
+constexpr double kFarFromTarget = 0.95;
 
 }  // namespace
 
