@@ -34,6 +34,12 @@ SourceBlock::SourceBlock(const ConfigBlock& block) {
   if (const ConfigEntry* further = block.Find("sources")) Read(*further, false);
 }
 
+SourceBlock SourceBlock::OfSourcesAlone(const ConfigBlock& block) {
+  SourceBlock alone;
+  if (const ConfigEntry* further = block.Find("sources")) alone.Read(*further, false);
+  return alone;
+}
+
 void SourceBlock::Read(const ConfigEntry& entry, bool are_of_motion) {
   NamedSources& read = are_of_motion ? sensors : sources;
   for (const std::string& name : NamesIn(entry)) {
@@ -90,7 +96,7 @@ NamedSources ParseSources(std::string_view text) {
           {.where = where, .key = std::string(line), .text = "is no key = value"});
     }
   }
-  SourceBlock read(block);
+  SourceBlock read = SourceBlock::OfSourcesAlone(block);
   std::vector<ConfigProblem> problems = ApplyBlock(block, read.specs, {"sources"});
   std::ranges::move(read.problems, std::back_inserter(problems));
   if (!problems.empty()) throw ConfigError(problems);

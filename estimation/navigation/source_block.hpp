@@ -31,8 +31,11 @@ struct SourceBlock {
       problems;  ///< names that are unknown, repeated, or under the other key
 
   explicit SourceBlock(const ConfigBlock& block);
+  /// Without sensors that dead reckoning stands on, which a recorded stream has as its rows.
+  [[nodiscard]] static SourceBlock OfSourcesAlone(const ConfigBlock& block);
 
  private:
+  SourceBlock() = default;
   /// Reads the names that `key` lists.
   void Read(const ConfigEntry& entry, bool are_of_motion);
 };

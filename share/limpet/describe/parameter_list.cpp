@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "estimation/navigation/source_block.hpp"
 #include "estimation/navigation/source_factory.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/describe/markdown_cell.hpp"
@@ -202,7 +203,7 @@ std::string Markdown(const std::vector<ParameterOwner>& owners) {
       "outside of blocks: a block that does not say it takes the global; one that says something "
       "else is refused by `limpet check`. So it is with a parameter that the vehicle's file says "
       "(`docs/vehicle-file.md`).\n";
-  const auto add = [&page, &owners](Kind kind, const char* heading, const char* takes) {
+  const auto add = [&page, &owners](Kind kind, const char* heading, std::string_view takes) {
     if (std::ranges::find(owners, kind, &ParameterOwner::kind) == owners.end()) return;
     page +=
         fmt::format("\n## {}\n\n{}: {}.\n", heading, takes, fmt::join(CommonKeysOf(kind), ", "));
@@ -215,9 +216,10 @@ std::string Markdown(const std::vector<ParameterOwner>& owners) {
   add(Kind::kDetector, "Detectors",
       "Chosen by `detector` in the block of pDetect, which takes these keys beside its own");
   add(Kind::kSource, "Measurement sources",
-      "Sensors, heard if `sensors` in the block of pNav names them (those that dead reckoning "
-      "stands on: imu, fog, dvl, dvl_beams, depth, gps, boxes) or `sources` (any others); it takes "
-      "these keys beside its own");
+      fmt::format("Sensors, heard if `sensors` in the block of pNav names them (those that dead "
+                  "reckoning stands on: {}) or `sources` (any others); it takes these keys beside "
+                  "its own",
+                  kUsualSensors));
   return page;
 }
 

@@ -92,6 +92,12 @@ TEST(NavBlock, AKeyOfASensorThatIsNotHeardIsAnError) {
               HasSubstr("fog_variable"));
 }
 
+TEST(NavBlock, SourcesOfACommandLineBringNoKeysOfSensors) {
+  EXPECT_EQ(ParseSources("acoustic_fix; acoustic_fix_sigma_m = 2").size(), 1U);
+  EXPECT_THROW(static_cast<void>(ParseSources("acoustic_fix; dvl_variable = NUCLEUS_DVL")),
+               ConfigError);
+}
+
 TEST(NavBlock, SensorsAreHeardUnderTheNamesThatItGives) {
   TestLink link;
   AppContext context;

@@ -91,6 +91,9 @@ TEST_F(SurveyEndTest, AHelmThatHasGivenUpFarFromTheTargetStalls) {
   link_.Send(app_, topics::kMapCoverage, Coverage{.seabed = 0.9, .band = 0.8, .band_top = 0.7});
   Tick(100.0);
   EXPECT_EQ(Phase(), "SURVEY");
+  Tick(141.0);
+  EXPECT_EQ(Phase(), "RETURN");
+  EXPECT_TRUE(app_.warnings().contains("COVERAGE_STALLED"));
 }
 
 TEST_F(SurveyEndTest, GoesHomeShortOfTheTargetWhenCoverageStalls) {
