@@ -33,15 +33,19 @@ std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
   return kept;
 }
 
-/// A cut ball may show its dim side only, where orange looks red or like nothing: there the light
-/// it has decides.
+bool IsWarm(const PaintClass& paint) {
+  return paint.color == "yellow" || paint.color == "orange" || paint.color == "red";
+}
+
+/// A cut ball may show its dim side only, where a paint may look like nothing: there the light it
+/// has decides. Between warm paints, what no shade changes does.
 std::optional<PaintClass> Classify(const Contrast& contrast, bool is_cut) {
   std::optional<PaintClass> paint = ClassifyPaint(contrast.inside - contrast.outside);
-  if (is_cut && (!paint || paint->color == "red")) {
-    const std::optional<PaintClass> lit = ClassifyPaint(contrast.lit - contrast.outside);
-    return lit ? lit : paint;
-  }
-  return paint;
+  if (!is_cut) return paint;
+  if (!paint) paint = ClassifyPaint(contrast.lit - contrast.outside);
+  if (!paint || !IsWarm(*paint)) return paint;
+  const std::optional<PaintClass> warm = ClassifyWarmInShade(contrast.inside, contrast.outside);
+  return warm && warm->color != paint->color ? warm : paint;
 }
 
 }  // namespace

@@ -18,4 +18,17 @@ struct PaintClass {
 /// stone.
 [[nodiscard]] std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference);
 
+/// Which warm paint (yellow, orange or red) a surface has that may be in shade, by its colour
+/// `inside` and that of the ground beside it, blue, green, red [levels]. Nothing if neither is
+/// redder than the other.
+///
+/// Shade s leaves s paint - ground of the difference: dim yellow looks orange, dim orange red. In
+/// light over the ground's light, per channel, the ground is 1 (Weber's contrast): the difference
+/// of two channels loses it, and the ratio of two such differences loses the shade, the light's
+/// colour and the camera's gains too. What is left is green over red of the paint, by that of the
+/// ground: of sand where the water is clear, of water where it is not. Half of the colour that the
+/// ground is seen to have is taken for its own.
+[[nodiscard]] std::optional<PaintClass> ClassifyWarmInShade(const Eigen::Vector3d& inside,
+                                                            const Eigen::Vector3d& outside);
+
 }  // namespace limpet

@@ -65,6 +65,33 @@ TEST(ColorShapeDetector, BoxOfACutBallEndsAtTheBorder) {
   EXPECT_GT(Overlap(RectOf(boxes[0]), truth.visible), 0.9);
 }
 
+class WarmRimTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(WarmRimTest, OfABallThatTheBorderCutsHasTheBallsColour) {
+  // From little of it to nearly half, at either border: lit from the north, east and above, the one
+  // shows more of its dim side.
+  const CameraModel camera;
+  int found = 0;
+  for (const double visibility_m : {3.0, 6.0, 12.0}) {
+    Scene scene(visibility_m);
+    for (const double side : {-1.0, 1.0}) {
+      for (const double beyond : {-0.1, 0.0, 0.1, 0.2}) {
+        const double border = camera.cx / camera.fx * 2.5;
+        const Sphere ball{{0.3, side * (border + beyond), 6.0}, 0.5, GetParam()};
+        const SphereImage truth = TruthOf(ball);
+        for (const Box& box : scene.Find({ball})) {
+          if (Overlap(RectOf(box), truth.visible) < 0.4) continue;
+          ++found;
+          EXPECT_EQ(box.color, GetParam())
+              << truth.visible_fraction << " of it at " << visibility_m << " m of visibility";
+        }
+      }
+    }
+  }
+  EXPECT_GE(found, 12);
+}
+INSTANTIATE_TEST_SUITE_P(WarmPaints, WarmRimTest, testing::Values("yellow", "orange", "red"));
+
 TEST(ColorShapeDetector, FindsAFaintBallInPoorVisibility) {
   Scene scene(3.0);
   const Sphere ball{{0.2, 0.3, 7.0}, 0.5, "orange"};
