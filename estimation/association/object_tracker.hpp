@@ -54,6 +54,10 @@ class ObjectTracker {
   [[nodiscard]] const CameraMount& mount() const { return mount_; }
   /// Nothing if sizes are taken for known.
   [[nodiscard]] std::optional<ObjectSize> SizeOf(const TrackedObject& landmark) const;
+  /// REQUIRES: it is mapped.
+  [[nodiscard]] BoxesTogether BoxesOf(const TrackedObject& landmark) const {
+    return tracks_.BoxesOf(landmark);
+  }
   [[nodiscard]] int rejected_observations() const { return review_.rejected(); }
   /// What boxes showed again and again without a place that they agree on.
   [[nodiscard]] std::vector<UnplacedObject> Unplaced() const {

@@ -22,14 +22,15 @@ double ClassCost(const TrackedObject& a, const TrackedObject& b, double confused
   for (const auto& [name, votes] : b.observations.votes())
     classes.insert(name);
   if (classes.size() < 2) return 0.0;
-  // Likelihood of an object's boxes per class, its greatest 1. A detector may take a certain object
-  // for another class again and again.
+  // Likelihood of an object's boxes per class, its greatest 1. What makes a detector take an object
+  // for another class once, its dim side or glare, lasts for all boxes of a pass: however many they
+  // are, they are one witness.
   const double per_vote = std::log((1.0 - confused) / confused);
   const auto likelihood = [&](const TrackedObject& object, const std::string& name) {
     const auto votes = object.observations.votes().find(name);
     const double behind = object.observations.votes().at(object.color()) -
                           (votes == object.observations.votes().end() ? 0.0 : votes->second);
-    return std::exp(-per_vote * std::max(behind, 0.0)) + confused * confused;
+    return std::exp(-per_vote * std::max(behind, 0.0)) + confused;
   };
   double one = 0.0, all_a = 0.0, all_b = 0.0;
   for (const std::string& name : classes) {

@@ -2,6 +2,7 @@
 #include "estimation/association/track_list.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 namespace limpet {
@@ -20,6 +21,23 @@ std::optional<int> TrackList::LandmarkIdOf(const TrackedObject& object) const {
     return to && !other.Is<Tentative>() && other.id() == *to;
   });
   return target == objects.end() ? std::nullopt : LandmarkIdOf(*target);
+}
+
+BoxesTogether TrackList::BoxesOf(const TrackedObject& object) const {
+  BoxesTogether boxes{.count = static_cast<int>(object.observations.size()),
+                      .color = object.color()};
+  std::map<std::string, double> votes;
+  for (const TrackedObject& other : objects) {
+    if (!other.Is<Tied>() || LandmarkIdOf(other) != object.id()) continue;
+    if (votes.empty()) votes = object.observations.votes();
+    for (const auto& [name, of_other] : other.observations.votes())
+      votes[name] += of_other;
+    boxes.count += static_cast<int>(other.observations.size());
+  }
+  if (!votes.empty())
+    boxes.color =
+        std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; })->first;
+  return boxes;
 }
 
 std::vector<TrackedObject*> TrackList::UntiedNear(const Eigen::Vector3d& p_W, double distance) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,6 +10,12 @@
 #include "estimation/association/tracked_object.hpp"
 
 namespace limpet {
+
+/// What the boxes of a track and of those tied to it say together.
+struct BoxesTogether {
+  int count = 0;
+  std::string color;  ///< the class with the most votes; the first in the alphabet if equal
+};
 
 /// All tracks, and what the tracker's parts know together.
 class TrackList {
@@ -23,6 +30,8 @@ class TrackList {
   [[nodiscard]] TrackedObject* FindById(int id);
   /// Id of the landmark that the track is; nothing while that is in doubt.
   [[nodiscard]] std::optional<int> LandmarkIdOf(const TrackedObject& object) const;
+  /// What is known of an object as long as its ties hold.
+  [[nodiscard]] BoxesTogether BoxesOf(const TrackedObject& object) const;
   /// Untied tracks within a distance [m].
   [[nodiscard]] std::vector<TrackedObject*> UntiedNear(const Eigen::Vector3d& p_W, double distance);
   /// True if boxes may show this track, and not another that is tied to it and was seen within

@@ -23,7 +23,7 @@ FormerMatching::Present FormerMatching::CollectPresent() {
   const auto add = [&](TrackedObject& object) {
     present.objects.push_back(&object);
     landmarks.slots.push_back(object.slot());
-    landmarks.objects.push_back({.p_W = object.p_W, .color = object.color()});
+    landmarks.objects.push_back({.p_W = object.p_W, .color = tracker_.BoxesOf(object).color});
   };
   for (TrackedObject& object : tracker_.objects()) {
     if (object.is_landmark()) add(object);
@@ -58,8 +58,9 @@ void FormerMatching::Update() {
   smoother_.Update();
   tracker_.RefreshAll();
   matched_.clear();
-  for (const TrackedObject* object : present.objects) {
-    matched_.push_back({object->slot(), object->p_W,
+  for (std::size_t i = 0; i < present.objects.size(); ++i) {
+    const TrackedObject* object = present.objects[i];
+    matched_.push_back({object->slot(), object->p_W, landmarks.objects[i].color,
                         object->former.candidates.empty() ? 0 : object->observations.size()});
   }
 }
@@ -73,8 +74,9 @@ bool FormerMatching::HasChanged(const Present& present) const {
     const TrackedObject& now = *present.objects[i];
     const bool may_be_decided =
         before.undecided_at > 0 && now.observations.size() != before.undecided_at;
-    if (before.slot != now.slot() || (before.p_W - now.p_W).norm() > kMovedLandmark ||
-        may_be_decided) {
+    const bool is_another =
+        before.slot != now.slot() || before.color != present.landmarks.objects[i].color;
+    if (is_another || (before.p_W - now.p_W).norm() > kMovedLandmark || may_be_decided) {
       return true;
     }
   }

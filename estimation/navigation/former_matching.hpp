@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "estimation/association/object_tracker.hpp"
@@ -29,6 +30,7 @@ class FormerMatching {
   struct MatchedLandmark {
     int slot;
     Eigen::Vector3d p_W;
+    std::string color;
     std::size_t undecided_at;  ///< its observations if it was undecided, else 0
   };
   struct Present {

@@ -304,13 +304,14 @@ std::vector<Landmark> Navigator::Landmarks() const {
   const std::vector<const TrackedObject*> objects = LandmarksById();
   const std::vector<Eigen::Matrix3d> covariances = smoother_.BorderCovariances(SlotsOf(objects));
   for (const TrackedObject* object : objects) {
+    const BoxesTogether boxes = tracker_.BoxesOf(*object);
     landmarks.push_back(
         {.id = object->id(),
          .object = {.p_W = smoother_.BorderAt(object->slot()),
                     .cov_W = covariances[landmarks.size()] + object->MotionCovariance(),
-                    .color = object->color(),
+                    .color = boxes.color,
                     .size = tracker_.SizeOf(*object)},
-         .detections = static_cast<int>(object->observations.size()),
+         .detections = boxes.count,
          .former = object->former});
   }
   return landmarks;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "estimation/association/object_tracker.hpp"
@@ -47,7 +48,8 @@ class ObjectFlight {
   }
 
   std::vector<Eigen::Vector3d> objects_;
-  double radius_ = 0.5;  ///< of all objects [m]
+  double radius_ = 0.5;           ///< of all objects [m]
+  std::string color_ = "yellow";  ///< that all boxes name
   /// Of the last frame: per box the landmark that it shows, and the object (index) that it is of;
   /// none of a false box.
   std::vector<std::optional<int>> shown_;
@@ -116,7 +118,7 @@ class ObjectFlight {
       if (!box || box->w < 20.0 || box->h < 20.0) continue;
       Box seen = *box;
       if (!random_.Chance(hit_share_)) continue;
-      seen.confidence = confidence_, seen.color = "yellow";
+      seen.confidence = confidence_, seen.color = color_;
       if (!ExtentAcross(seen, camera_).is_cut()) {
         seen.u += noise_px_ * random_.Normal(1.0);
       }
@@ -129,7 +131,7 @@ class ObjectFlight {
                        .w = random_.Uniform(40.0, 140.0),
                        .h = random_.Uniform(40.0, 140.0),
                        .confidence = random_.Uniform(0.3, 0.7),
-                       .color = "yellow"});
+                       .color = color_});
       of_box.emplace_back(std::nullopt);
     }
     std::vector<std::size_t> order(boxes.size());

@@ -116,6 +116,22 @@ TEST_F(ObjectTrackerTest, RecognisesAnObjectAfterDriftThatOdometryAdmits) {
   EXPECT_LT((Found()[0].p_W - objects_[0]).norm(), 0.3);
 }
 
+TEST_F(ObjectTrackerTest, AnObjectWhoseFirstPassNamedTheWrongColourIsOneObjectOfTheRightColour) {
+  objects_ = {{5.0, 0.5, 6.5}};
+  step_sigma_ = 0.03;
+  color_ = "orange";  // its dim side, in every image
+  FlyTo(10.0, 0.0);
+  ASSERT_EQ(Found().size(), 1U);
+  color_ = "yellow";
+  FlyTo(10.0, 15.0, 0.2);
+  FlyTo(5.0, 15.0);
+  FlyTo(5.0, -8.0);
+  ASSERT_EQ(Found().size(), 1U);
+  EXPECT_EQ(Found()[0].id(), 1);
+  EXPECT_EQ(tracker_.BoxesOf(Found()[0]).color, "yellow") << "more boxes named it so";
+  EXPECT_EQ(std::ranges::count_if(tracker_.objects(), &TrackedObject::Is<InDoubt>), 0);
+}
+
 TEST_F(ObjectTrackerTest, OneFalseBoxWhereADriftedObjectIsExpectedMovesNothing) {
   objects_ = {{5.0, 0.5, 6.5}};
   step_sigma_ = 0.08;

@@ -56,6 +56,31 @@ TEST(TrackList, ATrackIsTheLandmarkThatItsTiesLeadTo) {
   EXPECT_EQ(tracks.LandmarkIdOf(TrackedObject()), std::nullopt);
 }
 
+TEST(TrackList, WhatIsTiedToALandmarkVotesForItsClassAsLongAsTheTieHolds) {
+  const auto seen_as = [](int id, const TrackState& state, const char* color, int boxes) {
+    TrackedObject object;
+    for (int i = 0; i < boxes; ++i) {
+      Observation one;
+      one.color = color, one.confidence = 0.9;
+      object.observations.Add(one);
+    }
+    object.Map(id, id, state);
+    return object;
+  };
+  TrackList tracks;
+  tracks.objects = {seen_as(1, Confirmed{}, "orange", 4), seen_as(2, Tied{.to = 1}, "yellow", 3),
+                    seen_as(3, Tied{.to = 2}, "yellow", 2), seen_as(4, InDoubt{}, "orange", 9),
+                    seen_as(5, Confirmed{}, "red", 1)};
+  const BoxesTogether tied = tracks.BoxesOf(tracks.objects[0]);
+  EXPECT_EQ(tied.color, "yellow");
+  EXPECT_EQ(tied.count, 9);
+  tracks.objects[2].state = InDoubt{};
+  const BoxesTogether released = tracks.BoxesOf(tracks.objects[0]);
+  EXPECT_EQ(released.color, "orange");
+  EXPECT_EQ(released.count, 7);
+  EXPECT_EQ(tracks.BoxesOf(tracks.objects[4]).color, "red");
+}
+
 TEST(TrackList, NearIsNearerThanTheDistanceAndNotTied) {
   TrackList tracks;
   tracks.objects = {TrackAt({2.99, 0, 0}, 1, Confirmed{}), TrackAt({3.01, 0, 0}, 2, Confirmed{}),
