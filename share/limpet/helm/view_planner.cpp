@@ -104,7 +104,10 @@ std::string ViewPlanner::CauseToDecide(std::span<const WeightedBehavior> running
   if (!std::ranges::equal(running, decided_by_, same_name)) {
     return "other behaviors are running";
   }
-  if (steering.has_arrived || steering.remaining <= params_.arrival.value()) {
+  // A path no longer than that is flown to its end: what is left of it would be chosen in each
+  // tick.
+  const bool is_long = tracker_.path().length() > params_.arrival.value();
+  if (steering.has_arrived || (is_long && steering.remaining <= params_.arrival.value())) {
     return "arrived";
   }
   if (std::abs(steering.cross_track) > params_.off_track.value()) {
