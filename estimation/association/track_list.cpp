@@ -34,9 +34,10 @@ BoxesTogether TrackList::BoxesOf(const TrackedObject& object) const {
       votes[name] += of_other;
     boxes.count += static_cast<int>(other.observations.size());
   }
-  if (!votes.empty())
-    boxes.color =
-        std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; })->first;
+  if (!votes.empty()) {
+    const auto of_vote = [](const auto& vote) { return vote.second; };
+    boxes.color = std::ranges::max_element(votes, {}, of_vote)->first;
+  }
   return boxes;
 }
 
