@@ -93,7 +93,7 @@ Eigen::MatrixXd FrameAssociator::Costs(const Viewpoint& from,
     const ExpectedObject expected{
         .p_W = object.p_W,
         .radius = radius * std::exp(object.log_size),
-        .color = object.is_mapped() ? tracks_.BoxesOf(object).color : object.color(),
+        .color = tracks_.BoxesOf(object).color,
         .covariance = CovarianceWith(object, from.path, reachable.joint, row_in_joint),
         .mount_C =
             MountCovariance(from, object.p_W, reachable.joint,

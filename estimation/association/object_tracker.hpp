@@ -54,7 +54,6 @@ class ObjectTracker {
   [[nodiscard]] const CameraMount& mount() const { return mount_; }
   /// Nothing if sizes are taken for known.
   [[nodiscard]] std::optional<ObjectSize> SizeOf(const TrackedObject& landmark) const;
-  /// REQUIRES: it is mapped.
   [[nodiscard]] BoxesTogether BoxesOf(const TrackedObject& landmark) const {
     return tracks_.BoxesOf(landmark);
   }

@@ -26,6 +26,7 @@ std::optional<int> TrackList::LandmarkIdOf(const TrackedObject& object) const {
 BoxesTogether TrackList::BoxesOf(const TrackedObject& object) const {
   BoxesTogether boxes{.count = static_cast<int>(object.observations.size()),
                       .color = object.color()};
+  if (!object.is_mapped()) return boxes;
   std::map<std::string, double> votes;
   for (const TrackedObject& other : objects) {
     if (!other.Is<Tied>() || LandmarkIdOf(other) != object.id()) continue;

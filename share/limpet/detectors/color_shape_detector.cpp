@@ -33,10 +33,6 @@ std::vector<Box> WithoutRepeats(const std::vector<Box>& boxes) {
   return kept;
 }
 
-bool IsWarm(const PaintClass& paint) {
-  return paint.color == "yellow" || paint.color == "orange" || paint.color == "red";
-}
-
 /// A cut ball may show its dim side only, where a paint may look like nothing: there the light it
 /// has decides. Between warm paints, what no shade changes does.
 std::optional<PaintClass> Classify(const Contrast& contrast, bool is_cut) {

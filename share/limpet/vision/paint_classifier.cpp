@@ -57,6 +57,10 @@ std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference) {
   return PaintClass{best.color, std::min(best.certainty, 1.0)};
 }
 
+bool IsWarm(const PaintClass& paint) {
+  return paint.color == "yellow" || paint.color == "orange" || paint.color == "red";
+}
+
 std::optional<PaintClass> ClassifyWarmInShade(const Eigen::Vector3d& inside,
                                               const Eigen::Vector3d& outside) {
   const Eigen::Array3d ground = outside.array().max(1.0).pow(kGamma);

@@ -18,9 +18,11 @@ struct PaintClass {
 /// stone.
 [[nodiscard]] std::optional<PaintClass> ClassifyPaint(const Eigen::Vector3d& difference);
 
-/// Which warm paint (yellow, orange or red) a surface has that may be in shade, by its colour
-/// `inside` and that of the ground beside it, blue, green, red [levels]. Nothing if neither is
-/// redder than the other.
+/// One of those that shade makes look like one another: yellow, orange, red.
+[[nodiscard]] bool IsWarm(const PaintClass& paint);
+
+/// Which warm paint a surface has that may be in shade, by its colour `inside` and that of the
+/// ground beside it, blue, green, red [levels]. Nothing if neither is redder than the other.
 ///
 /// Shade s leaves s paint - ground of the difference: dim yellow looks orange, dim orange red. In
 /// light over the ground's light, per channel, the ground is 1 (Weber's contrast): the difference

@@ -10,7 +10,14 @@
 namespace limpet {
 namespace {
 
-class SurveyEndTest : public SurveyAppTest {};
+class SurveyEndTest : public SurveyAppTest {
+ protected:
+  /// So much of the band's top has been seen, and nearly all below it.
+  void Cover(double band_top) {
+    link_.Send(app_, topics::kMapCoverage,
+               Coverage{.seabed = 0.99, .band = 0.97, .band_top = band_top});
+  }
+};
 
 TEST_F(SurveyEndTest, GoesHomeWhenTheTargetIsReachedAndNothingIsOpen) {
   ReachSurvey();
@@ -50,15 +57,11 @@ TEST_F(SurveyEndTest, GoesHomeOnceAllCountsAsDoneThoughItClaimsLess) {
 
 TEST_F(SurveyEndTest, GoesHomeByItsOwnJudgementWhenTheHelmFindsNothingMoreThatIsWorthItsWay) {
   ReachSurvey();
-  const auto cover = [this](double share) {
-    link_.Send(app_, topics::kMapCoverage,
-               Coverage{.seabed = 0.99, .band = 0.97, .band_top = share});
-  };
   link_.Send(app_, topics::kHelmGivesUp, true);
-  cover(0.9);
+  Cover(0.9);
   Tick(11.0);
   EXPECT_EQ(Phase(), "SURVEY") << "too much is lacking";
-  cover(0.97);
+  Cover(0.97);
   link_.Send(app_, topics::kHelmGivesUp, false);
   link_.Send(app_, topics::kHelmGivesUp, true);
   Tick(9.0);
@@ -70,14 +73,10 @@ TEST_F(SurveyEndTest, GoesHomeByItsOwnJudgementWhenTheHelmFindsNothingMoreThatIs
 
 TEST_F(SurveyEndTest, AHelmThatHasGivenUpFliesInVainForFortySecondsAtMost) {
   ReachSurvey();
-  const auto cover = [this](double share) {
-    link_.Send(app_, topics::kMapCoverage,
-               Coverage{.seabed = 0.99, .band = 0.97, .band_top = share});
-  };
   link_.Send(app_, topics::kHelmGivesUp, true);
-  cover(0.90);
+  Cover(0.90);
   Tick(35.0);
-  cover(0.93);
+  Cover(0.93);
   Tick(35.0);
   EXPECT_EQ(Phase(), "SURVEY") << "it has found something after all";
   Tick(6.0);

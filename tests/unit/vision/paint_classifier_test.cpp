@@ -34,7 +34,7 @@ TEST_P(WarmPaint, StaysItselfInAnyShade) {
     EXPECT_EQ(ColorOf(PaintOf(GetParam()), shade, kWhiteLight), GetParam()) << shade;
 }
 
-TEST_P(WarmPaint, StaysItselfInLightOfAnyColour) {
+TEST_P(WarmPaint, StaysItselfInTheLightOfDeepWaterAndOfDusk) {
   const Eigen::Array3d deep(0.9, 0.8, 0.4), dusk(0.5, 0.6, 0.9);  // in water red is lost first
   for (const double shade : {0.5, 1.0}) {
     EXPECT_EQ(ColorOf(PaintOf(GetParam()), shade, deep), GetParam()) << shade;
