@@ -45,7 +45,15 @@ void BHV_OpRegionV24::TellBorders(const VehicleState& state, ActList& acts) cons
     const Seconds left = *params_.longest - (state.now - *watch_.began);
     acts.Post("OPREG_TIME_REMAINING", std::max(0.0, left.value()));
   }
-  if (!halt_) return;
+  if (!halt_) {
+    if (state.area) return;  // a survey's region has borders, which nobody asks for here
+    for (const char* variable : {"OPREG_TRAJECTORY_PERIM_DIST", "OPREG_TRAJECTORY_PERIM_ETA",
+                                 "OPREG_ABSOLUTE_PERIM_DIST", "OPREG_ABSOLUTE_PERIM_ETA"}) {
+      acts.Post(variable, kNowhere);
+    }
+    acts.Post("SECS_IN_POLY", 0.0);
+    return;
+  }
   const double ahead = DistanceToBorder(*halt_, state.place(), state.nav.yaw).value_or(kNowhere);
   const double nearest = std::abs(halt_->Outside(state.place()));
   const auto whole = [](double seconds) { return std::trunc(seconds + 0.5); };
