@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "apps/pHelm/behavior_loading.hpp"
 #include "apps/pHelm/helm_warnings.hpp"
 #include "limpet/app/registry.hpp"
 #include "limpet/core/clock.hpp"
 #include "limpet/core/frames.hpp"
-#include "limpet/helm/behavior_modules.hpp"
 #include "limpet/helm/motion_domain.hpp"
 #include "limpet/mission/shared_settings.hpp"
 #include "limpet/survey/grid_frame.hpp"
@@ -20,26 +20,6 @@
 
 namespace limpet {
 namespace {
-
-void LoadForeignBehaviors(const AppContext& context, const HelmParams& params) {
-  std::vector<ConfigEntry> lines;
-  for (const std::string& folders : params.behavior_path) {
-    lines.push_back({.key = "behavior_path", .value = folders, .where = {.file = context.name}});
-  }
-  LoadBehaviorModules(lines, context.mission_folder);
-}
-
-std::vector<BehaviorFile> LoadBehaviorFiles(const AppContext& context, const HelmParams& params) {
-  LoadForeignBehaviors(context, params);
-  std::vector<BehaviorFile> files;
-  for (const std::string& name : params.behaviors) {
-    files.push_back(LoadBehaviors(context.mission_folder / name));
-    TakeGlobals(context.globals, files.back().behaviors);
-  }
-  ApplyBehaviorSettings(files, params.behavior_setting);
-  ApplyStandIns(PresetOf(params.views), files);
-  return files;
-}
 
 /// Who listens hears of a helm that cannot be made, before its process ends.
 template <class Make>
@@ -52,11 +32,6 @@ auto OrMalconfig(const AppContext& context, const HelmParams& params, const Make
     }
     throw;
   }
-}
-
-/// None embedded: nobody is late there, so that runs repeat.
-RealClock ClockOf(const AppContext& context) {
-  return context.runs_live ? RealClock(SteadyTime) : RealClock();
 }
 
 MotionDomain DomainOf(const HelmParams& params) {
@@ -104,12 +79,16 @@ HelmApp::HelmApp(const AppContext& context, const Params& params)
               PublishRaw(std::move(variable), std::move(value));
             }) {
   is_parked_ = !params_.start_in_drive;
+  made_at_ = now();
+  is_restart_untold_ = context.is_restarted;
   SubscribeToNavigation();
   SubscribeToOverride();
   SubscribeIfWritten(topics::kSafetyAction, &HelmApp::OnSafety);
   HearSurvey();
   SubscribeRaw(topics::kHelmRejournal.name, [this](const MessagePtr&) { journal_.Rejournal(); });
   SubscribeRaw(topics::kHelmMapClear.name, [this](const MessagePtr&) { host_.ForgetPosts(); });
+  SubscribeRaw(topics::kHelmRestart.name,
+               [this](const MessagePtr& message) { OnRestart(*message); });
   if (lead_.leads()) {
     SubscribeRaw(topics::kHelmUpdateResult.name, [this](const MessagePtr& message) {
       if (const auto* text = std::get_if<std::string>(&message->value)) led_answers_.Hear(*text);
@@ -230,7 +209,7 @@ void HelmApp::Tick(Seconds now) {
 }
 
 void HelmApp::Iterate(Seconds now) {
-  PostInitialValues();
+  Introduce();
   PostRequests();
   if (std::exchange(is_updated_, false)) SubscribeForBehaviors();
   ++helm_iteration_;

@@ -81,9 +81,18 @@ class HelmApp final : public App {
   void HearSurvey();
   /// Subscribes to every variable that the behaviors want by now.
   void SubscribeForBehaviors();
-  void PostInitialValues();
-  /// Once, as the first decision of a helm whose process was replaced is due.
+  /// Once, before the first iteration.
+  void Introduce();
+  /// What `initialize` lines say, if it is to be; notes what behaviors ask of apps (PostRequests).
+  void PostInitial(bool with_values);
+  /// Once, as the first decision is due of a helm whose process was replaced, or that was told to
+  /// begin anew.
   void TellRestart();
+  /// RESTART_HELM: type1, type2.
+  void OnRestart(const Message& message);
+  /// Makes all behaviors anew from the files as they are now; what was heard stays known. If they
+  /// cannot be made, those that there are go on.
+  void BeginAnew(bool posts_initial_values);
   /// IVPHELM_CPU, once a second.
   void TellLoad();
   void Post(const std::vector<HelmPost>& posts);
@@ -137,17 +146,18 @@ class HelmApp final : public App {
   StockNav stock_nav_;
   bool is_parked_ = false;
   SafetyAction safety_ = SafetyAction::kNone;
-  bool has_posted_initial_ = false;
+  bool is_introduced_ = false;
   AppWait app_wait_;
   std::vector<HelmPost> requests_;  ///< of behaviors, that wait for apps
   MailSkew mail_skew_;
-  bool is_restart_told_ = false;
-  ProcessUse told_use_;            ///< of the machine, when that was last told
-  Seconds told_use_at_;            ///< real time
-  std::string allstop_text_;       ///< clear, or why all is stopped
-  std::string published_allstop_;  ///< as last posted
-  std::string stopped_for_;        ///< why the vehicle was last told to stop
-  int empty_decisions_ = 0;        ///< iterations in a row
+  Seconds made_at_;                 ///< vehicle time
+  bool is_restart_untold_ = false;  ///< it is to be told with the next decision
+  ProcessUse told_use_;             ///< of the machine, when that was last told
+  Seconds told_use_at_;             ///< real time
+  std::string allstop_text_;        ///< clear, or why all is stopped
+  std::string published_allstop_;   ///< as last posted
+  std::string stopped_for_;         ///< why the vehicle was last told to stop
+  int empty_decisions_ = 0;         ///< iterations in a row
   std::int64_t helm_iteration_ = 0;
   WarningBook warning_book_;
   std::string told_failures_;                   ///< as last posted in BHV_ERROR

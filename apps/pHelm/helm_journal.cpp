@@ -35,6 +35,20 @@ std::string EntryText(const BehaviorStatus& behavior, Seconds since, bool is_act
   return text + (is_active ? "$1" : "");
 }
 
+/// `name=survey,pc=DEPLOY = true,state=idle,updates=n/a`.
+std::string StatusText(const HelmJournal::Entry& entry) {
+  const BehaviorStatus& behavior = entry.behavior;
+  std::string text = "name=" + behavior.name;
+  if (!behavior.held_back_by.empty()) text += ",pc=" + behavior.held_back_by;
+  if (entry.state == HelmJournal::State::kActive) {
+    text += ",pwt=" + DecimalText(behavior.weight, 2);
+  }
+  text += fmt::format(",state={},updates=", HelmJournal::NameOf(entry.state));
+  return text + (behavior.takes_updates
+                     ? fmt::format("{}/{}", behavior.good_updates, behavior.updates)
+                     : std::string("n/a"));
+}
+
 }  // namespace
 
 const char* HelmJournal::NameOf(State state) {
@@ -49,6 +63,10 @@ HelmJournal::HelmJournal(const std::vector<std::string>& domain, Post post)
 
 void HelmJournal::PostStart(const BehaviorHost& host, Seconds now) {
   const std::vector<BehaviorStatus>& behaviors = host.statuses();
+  entries_.clear();
+  summary_.clear();
+  statuses_.clear();
+  alive_ = 0;
   post_(topics::kHelmDomain.name, domain_);
   post_(topics::kHelmModeSet.name, host.ModeTree());  // also without modes
   post_(topics::kHelmDisabled.name, std::string());
@@ -150,9 +168,20 @@ void HelmJournal::PostIteration(const HelmIteration& iteration) {
     post_(topics::kHelmFunctionCount.name, static_cast<double>(iteration.functions));
   }
   if (are_behaviors_new) {
+    PostStatuses();
     PostNames(topics::kHelmActive.name, topics::kHelmActiveCount.name, State::kActive);
     PostNames(topics::kHelmRunning.name, topics::kHelmRunningCount.name, State::kRunning);
     PostNames(topics::kHelmIdle.name, topics::kHelmIdleCount.name, State::kIdle);
+  }
+}
+
+void HelmJournal::PostStatuses() {
+  for (const Entry& entry : entries_) {
+    const std::string text = StatusText(entry);
+    if (std::string& last = statuses_[entry.behavior.name]; last != text) {
+      last = text;
+      post_(topics::kBehaviorStatus.name, text);
+    }
   }
 }
 

@@ -39,7 +39,7 @@ class HelmJournal {
 
   HelmJournal(const std::vector<std::string>& domain, Post post);
 
-  /// Once, before the first iteration.
+  /// Before the first iteration, and of behaviors that all are new.
   void PostStart(const BehaviorHost& host, Seconds now);
   void PostIteration(const HelmIteration& iteration);
   /// Who was made or has ended in an iteration.
@@ -71,6 +71,8 @@ class HelmJournal {
   [[nodiscard]] bool UpdateEntries(const HelmIteration& iteration);
   [[nodiscard]] std::string Described(State state) const;
   [[nodiscard]] std::string Named(State state) const;
+  /// BHV_STATUS of those of whom it says something new.
+  void PostStatuses();
   /// Adds a field to a summary if its text is new.
   void AddField(const std::string& name, const std::string& text, std::string& summary);
   /// The names of those in that state, and how many, if they are others than last time.
@@ -84,12 +86,13 @@ class HelmJournal {
   std::optional<std::string> state_variables_;  ///< as last posted
   std::optional<int> completed_;  ///< behaviors that ended in an iteration, as last posted
   int alive_ = 0;
-  int made_ = 0;                                ///< behaviors, ever
-  std::optional<int> functions_;                ///< as last posted
-  int pieces_ = 0;                              ///< as last posted
-  std::string update_variables_;                ///< as last posted
-  std::map<std::string, std::string> summary_;  ///< fields as last posted
-  std::map<State, std::string> names_;          ///< as last posted
+  int made_ = 0;                                 ///< behaviors, ever
+  std::optional<int> functions_;                 ///< as last posted
+  int pieces_ = 0;                               ///< as last posted
+  std::string update_variables_;                 ///< as last posted
+  std::map<std::string, std::string> summary_;   ///< fields as last posted
+  std::map<State, std::string> names_;           ///< as last posted
+  std::map<std::string, std::string> statuses_;  ///< of each behavior, as last posted
 };
 
 }  // namespace limpet

@@ -55,13 +55,13 @@ void HelmApp::Report(ReportLines& report) const {
     report.Pair("Objects", RevisitText());
   }
   report.Blank();
-  ReportTable behaviors({"behavior", "type", ">pwt", "state", ">for [s]", ">updates"});
+  ReportTable behaviors({"behavior", "type", ">pwt", "state", ">for [s]", ">updates", "waits for"});
   for (const HelmJournal::Entry& entry : journal_.entries()) {
     const BehaviorStatus& behavior = entry.behavior;
-    behaviors.AddRow({behavior.name, behavior.type, DecimalText(behavior.weight, 2),
-                      HelmJournal::NameOf(entry.state),
-                      fmt::format("{:.0f}", (now() - entry.since).value()),
-                      fmt::format("{}/{}", behavior.good_updates, behavior.updates)});
+    behaviors.AddRow(
+        {behavior.name, behavior.type, DecimalText(behavior.weight, 2),
+         HelmJournal::NameOf(entry.state), fmt::format("{:.0f}", (now() - entry.since).value()),
+         fmt::format("{}/{}", behavior.good_updates, behavior.updates), behavior.held_back_by});
   }
   report.Add(behaviors);
   if (bids_) {

@@ -53,6 +53,16 @@ inline const WarningId kAppsAwaited = DeclareWarning(
      .action = "Start them, or take them out of hold_on_app.",
      .clears = "Once each of them was among the database's clients."});
 
+inline const WarningId kRestartRefused = DeclareWarning(
+    "RESTART_REFUSED",
+    {.severity = Severity::kWarning,
+     .raised_by = {"pHelm"},
+     .meaning = "RESTART_HELM was not heeded, because it says neither type1 nor type2, or because "
+                "the behavior files as they are now do not make a helm: the behaviors that there "
+                "were go on.",
+     .action = "Correct what the text names (`limpet check` says the same) and send it again.",
+     .clears = "With a RESTART_HELM that is heeded."});
+
 inline const WarningId kNoOption = DeclareWarning(
     "NO_OPTION",
     {.severity = Severity::kWarning,
@@ -99,6 +109,12 @@ inline const EventId kMode =
     DeclareEvent("HELM_MODE", {.severity = Severity::kNote,
                                .reported_by = {"pHelm"},
                                .meaning = "A mode of the behaviors has changed."});
+
+inline const EventId kHelmBeganAnew = DeclareEvent(
+    "HELM_BEGAN_ANEW",
+    {.severity = Severity::kNote,
+     .reported_by = {"pHelm"},
+     .meaning = "RESTART_HELM: all behaviors have been made anew from the files as they are now."});
 
 inline const EventId kPath = DeclareEvent(
     "PATH_CHOSEN",

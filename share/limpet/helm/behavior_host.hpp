@@ -60,6 +60,8 @@ class BehaviorHost {
   [[nodiscard]] std::vector<HelmPost> InitialPosts() const;
   /// Takes mail: a value for the conditions, an update of behaviors, what they ask for.
   void SetVariable(const std::string& name, const Value& value, Seconds time = Seconds(0.0));
+  /// What another one has heard is known here, too.
+  void TakeHeard(const BehaviorHost& other) { heard_ = other.heard_; }
   /// What it has heard; for `VehicleState::heard`.
   [[nodiscard]] const HeardValues& heard() const { return heard_; }
 

@@ -19,7 +19,10 @@ struct BehaviorStatus {
   std::string name, type;
   double weight = 0.0;
   bool is_running = false;
-  bool is_complete = false;           ///< in this iteration: it is gone in the next one
+  bool is_complete = false;  ///< in this iteration: it is gone in the next one
+  /// While idle the condition, or input, that it waits for; why it has completed.
+  std::string held_back_by{};
+  bool takes_updates = false;         ///< its block names a variable of them
   int good_updates = 0, updates = 0;  ///< `updates` mail: applied whole, and all
   bool operator==(const BehaviorStatus&) const = default;
 };

@@ -29,7 +29,7 @@ struct HelmParams {
   std::string other_override_var{};
   bool park_on_allstop = false;
   bool goals_mandatory = false;
-  std::string helm_prefix{};
+  std::string helm_prefix{}, helm_alias{};
   bool post_ipf = false;
   std::string lead{};
   std::string lead_depth{}, lead_course{}, lead_speed{};
@@ -78,8 +78,8 @@ struct HelmParams {
           "Of its BHV_ConstantHeading, told a course while there is no way; with lead_speed");
     visit("lead_speed", lead_speed, "Of its BHV_ConstantSpeed; with lead_course");
     DescribeMail(visit);
-    visit.WithoutEffect({"node_skew", "verbose", "standby", "helm_alias", "contact_max_age",
-                         "pmgen", "seed_random", "ivp_behavior_dir", "ivp_behavior_dirs",
+    visit.WithoutEffect({"node_skew", "verbose", "standby", "contact_max_age", "pmgen",
+                         "seed_random", "ivp_behavior_dir", "ivp_behavior_dirs",
                          "bhv_dir_not_found_ok", "bhv_dirs_not_found_ok"});
     views.Describe(visit);
   }
@@ -106,6 +106,7 @@ struct HelmParams {
           "Stand still where only constraints bid: BHV_AvoidObstacle, MaxDepth, MinAltitudeX");
     visit("helm_prefix", helm_prefix,
           "Before the names DESIRED_HEADING, _SPEED and the like; to stop all, both are written");
+    visit("helm_alias", helm_alias, "What the helm is called: IVPHELM_ALIAS");
   }
 };
 

@@ -77,6 +77,8 @@ BehaviorStatus HostedBehavior::Status() const {
           .weight = settings_.weight,
           .is_running = is_running(),
           .is_complete = is_complete(),
+          .held_back_by = is_complete() ? reason_ : held_back_by_,
+          .takes_updates = !settings_.updates_variable.empty(),
           .good_updates = good_updates_,
           .updates = good_updates_ + bad_updates_};
 }
@@ -136,17 +138,20 @@ std::vector<ConfigProblem> HostedBehavior::AlteredLines() const {
   return AlteredValues(block_, BehaviorRegistry().at(block_.name).describe());
 }
 
-bool HostedBehavior::HoldsConditions(const HelmTurn& turn) {
-  return std::ranges::all_of(settings_.conditions, [&turn](Condition& condition) {
-    return condition.Holds(turn.lookup, turn.state.now);
+std::string HostedBehavior::UnmetCondition(const HelmTurn& turn) {
+  const auto unmet = std::ranges::find_if(settings_.conditions, [&turn](Condition& condition) {
+    return !condition.Holds(turn.lookup, turn.state.now);
   });
+  return unmet == settings_.conditions.end() ? "" : unmet->text();
 }
 
-bool HostedBehavior::IsStarved(const HelmTurn& turn) const {
-  return std::ranges::any_of(settings_.starve_limits, [&turn](const StarveLimit& limit) {
+std::string HostedBehavior::MissingInput(const HelmTurn& turn) const {
+  const auto missing = std::ranges::find_if(settings_.starve_limits, [&turn](const auto& limit) {
     const Stamped<Value>* heard = turn.state.Heard(limit.variable);
     return heard == nullptr || turn.state.now - heard->time > limit.oldest;
   });
+  if (missing == settings_.starve_limits.end()) return "";
+  return fmt::format("VarStarve: {} (stime:{:g})", missing->variable, missing->oldest.value());
 }
 
 bool HostedBehavior::IsOver(HelmTurn& turn) {
@@ -172,14 +177,15 @@ void HostedBehavior::Begin(HelmTurn& turn) {
     Post({.variable = "BHV_WARNING", .value = text, .is_repeated = true}, turn);
     Post({.variable = "BHV_CONFIG_WARNING", .value = text, .is_repeated = true}, turn);
   }
-  const bool may_run = HoldsConditions(turn);
-  if (may_run && IsOver(turn)) {
+  held_back_by_ = UnmetCondition(turn);
+  if (held_back_by_.empty() && IsOver(turn)) {
     TellSettings(turn);
     End(turn);
     return;
   }
   TellSettings(turn);
-  if (may_run && !IsStarved(turn)) {
+  if (held_back_by_.empty()) held_back_by_ = MissingInput(turn);
+  if (held_back_by_.empty()) {
     BeginRunning(turn);
   } else {
     BeginIdle(turn);

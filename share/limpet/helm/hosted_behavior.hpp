@@ -96,8 +96,10 @@ class HostedBehavior {
   [[nodiscard]] std::optional<std::string> TryPart(const ConfigEntry& part,
                                                    ConfigBlock& block) const;
   void Rebuild(const ConfigBlock& block, const BehaviorUpdate& update);
-  [[nodiscard]] bool HoldsConditions(const HelmTurn& turn);
-  [[nodiscard]] bool IsStarved(const HelmTurn& turn) const;
+  /// The first condition that does not hold; "" if all do.
+  [[nodiscard]] std::string UnmetCondition(const HelmTurn& turn);
+  /// Input of `nostarve` that is too old, or that nobody has written; "" if there is none.
+  [[nodiscard]] std::string MissingInput(const HelmTurn& turn) const;
   /// True if its time is up, which ends a behavior that is not perpetual.
   [[nodiscard]] bool IsOver(HelmTurn& turn);
   void BeginIdle(HelmTurn& turn);
@@ -127,7 +129,7 @@ class HostedBehavior {
   bool is_active_ = false;      ///< had a say in the last iteration
   bool are_spawn_flags_due_ = true, are_config_flags_due_ = true, are_spawnx_flags_due_ = true;
   std::optional<std::string> spawn_base_;
-  std::string last_update_, complaint_, reason_;
+  std::string last_update_, complaint_, reason_, held_back_by_;
   int good_updates_ = 0, bad_updates_ = 0;
 };
 

@@ -88,6 +88,19 @@ inline const auto kHelmRejournal = Declare<double>(
 inline const auto kHelmMapClear = Declare<std::string>(
     "HELM_MAP_CLEAR", "asks behaviors to post once more what has not changed, e.g. shapes",
     {.rate = "on event", .writers = {"viewers"}, .is_command = true});
+inline const auto kHelmRestart = Declare<std::string>(
+    "RESTART_HELM",
+    "type1: read the behavior files anew and make all behaviors from them; type2: post their "
+    "initial values, too",
+    {.rate = "on event", .writers = {"operator"}, .is_command = true});
+inline const auto kHelmAlias =
+    Declare<std::string>("IVPHELM_ALIAS", "what the helm is called (helm_alias)",
+                         {.rate = "once", .writers = {"pHelm"}});
+inline const auto kBehaviorStatus = Declare<std::string>(
+    "BHV_STATUS",
+    "name=, pc=the condition or input that it waits for, or why it completed, pwt=, state=active, "
+    "running, idle or completed, updates=applied whole/all",
+    {.rate = "of each behavior, on change", .writers = {"pHelm"}});
 inline const auto kHelmIteration = Declare<double>("IVPHELM_ITER", "iterations of the helm",
                                                    {.rate = "10 Hz", .writers = {"pHelm"}});
 inline const auto kHelmDomain =
@@ -122,7 +135,8 @@ inline const auto kHelmPiecesFormed = Declare<double>(
 inline const auto kHelmPiecesCached = Declare<double>(
     "IVPHELM_TOTAL_PCS_CACHED", "0: no bid is used twice", {.rate = "once", .writers = {"pHelm"}});
 inline const auto kHelmRestarted = Declare<std::string>(
-    "IVPHELM_RESTARTED", "true: the helm decides again, after its process was replaced",
+    "IVPHELM_RESTARTED",
+    "true: the helm decides again, after its process was replaced or RESTART_HELM",
     {.rate = "on event", .writers = {"pHelm"}});
 inline const auto kHelmUpdateVars = Declare<std::string>(
     "IVPHELM_UPDATEVARS", "behavior=variable, ...: where behaviors take updates",

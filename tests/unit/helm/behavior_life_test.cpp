@@ -172,6 +172,30 @@ TEST_F(BehaviorLife, APerpetualOneWindsItsDurationUpItself) {
   EXPECT_THAT(posts, ElementsAre(0, 0, 1, 0, 1, 0, 1, 0)) << "from when the last was used up";
 }
 
+TEST_F(BehaviorLife, SaysWhatHoldsItBack) {
+  Make(
+      "  condition = DEPLOY = true\n  condition = (DEPTH < 3) or (DEPTH > 5)\n"
+      "  nostarve = SONAR, RADAR, 2\n  duration = 3\n");
+  const auto held_back_by = [this] { return host_->statuses().at(0).held_back_by; };
+  static_cast<void>(Iterate());
+  EXPECT_EQ(held_back_by(), "DEPLOY = true") << "the first of its conditions";
+  Say("DEPLOY", std::string("true"));
+  Say("DEPTH", 4.0);
+  static_cast<void>(Iterate());
+  EXPECT_EQ(held_back_by(), "(DEPTH < 3) or (DEPTH > 5)");
+  Say("DEPTH", 6.0);
+  Say("SONAR", 1.0);
+  static_cast<void>(Iterate());
+  EXPECT_EQ(held_back_by(), "VarStarve: RADAR (stime:2)");
+  Say("RADAR", 1.0);
+  static_cast<void>(Iterate());
+  EXPECT_EQ(held_back_by(), "");
+  EXPECT_TRUE(host_->statuses().at(0).is_running);
+  static_cast<void>(Iterate());
+  static_cast<void>(Iterate());
+  EXPECT_EQ(held_back_by(), "completed-byduration");
+}
+
 TEST_F(BehaviorLife, IsIdleWhileItsInputStarves) {
   Make("  nostarve = SONAR, RADAR, 2\n");
   static_cast<void>(Iterate());

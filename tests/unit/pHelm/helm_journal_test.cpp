@@ -110,6 +110,21 @@ TEST_F(HelmJournalTest, ABehaviorWhoseConditionsFailIsIdleHoweverItBid) {
   EXPECT_EQ(journal_.entries().at(1).state, HelmJournal::State::kIdle);
 }
 
+TEST_F(HelmJournalTest, SaysOfEachBehaviorWhatItWaitsForWhenThatChanges) {
+  behaviors_[1].takes_updates = true;
+  behaviors_[2].held_back_by = "RETURN = true";
+  journal_.PostIteration(Iteration(1));
+  EXPECT_THAT(Take("BHV_STATUS"), ElementsAre("name=cover,state=running,updates=n/a",
+                                              "name=follow,pwt=100,state=active,updates=3/4",
+                                              "name=home,pc=RETURN = true,state=idle,updates=n/a"));
+  journal_.PostIteration(Iteration(2));
+  EXPECT_THAT(Take("BHV_STATUS"), IsEmpty());
+  behaviors_[2].held_back_by = "VarStarve: SONAR (stime:2)";
+  journal_.PostIteration(Iteration(3));
+  EXPECT_THAT(Take("BHV_STATUS"),
+              ElementsAre("name=home,pc=VarStarve: SONAR (stime:2),state=idle,updates=n/a"));
+}
+
 TEST_F(HelmJournalTest, CountsIterations) {
   journal_.PostIteration(Iteration(7));
   EXPECT_THAT(Take("IVPHELM_ITER"), ElementsAre("7"));
