@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -21,11 +22,16 @@ namespace limpet {
 namespace {
 
 struct FlownDecision {
+  double time = 0.0;
   HelmBids bids;
   std::optional<HelmPath> path;  ///< that was flown
 };
+struct ExplainedFlight {
+  std::vector<FlownDecision> decisions;
+  DecisionLog log;
+};
 
-std::vector<FlownDecision> FlySmallMission(const std::string& planner, std::uint64_t seed) {
+ExplainedFlight FlySmallMission(const std::string& planner, std::uint64_t seed) {
   const TemporaryFolder folder;
   WriteSmallMission(folder.path() / "small");
   MissionFile mission = LoadMission(folder.path() / "small" / "mission.moos");
@@ -35,24 +41,30 @@ std::vector<FlownDecision> FlySmallMission(const std::string& planner, std::uint
                          .run_folder = folder.path() / "discovery",
                          .prior_folder = {},
                          .seed = seed};
-  std::vector<FlownDecision> decisions;
-  static_cast<void>(RunSession(mission, plan, [&decisions](const Message& message) {
+  ExplainedFlight flight;
+  auto& decisions = flight.decisions;
+  static_cast<void>(RunSession(mission, plan, [&](const Message& message) {
+    const double time = message.time.value();
+    if (const auto* text = std::get_if<std::string>(&message.value)) {
+      flight.log.Take({.variable = message.name, .writer = message.source_aux, .value = *text},
+                      time);
+    }
     if (message.name == "HELM_BIDS") {
-      decisions.push_back({*TopicCodec<HelmBids>::Decode(message.value), {}});
+      decisions.push_back({time, *TopicCodec<HelmBids>::Decode(message.value), {}});
     } else if (message.name == "HELM_PATH" && !decisions.empty()) {
       decisions.back().path = *TopicCodec<HelmPath>::Decode(message.value);
     }
   }));
-  return decisions;
+  return flight;
 }
 
 class WhyOfAFlight : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(WhyOfAFlight, GivesTheHelmsChoiceInEveryDecision) {
-  std::vector<FlownDecision> decisions = FlySmallMission(GetParam(), 3);
-  std::ranges::move(FlySmallMission(GetParam(), 4), std::back_inserter(decisions));
+  std::vector<FlownDecision> decisions = FlySmallMission(GetParam(), 3).decisions;
+  std::ranges::move(FlySmallMission(GetParam(), 4).decisions, std::back_inserter(decisions));
   ASSERT_GE(decisions.size(), 4U);
-  for (const auto& [bids, path] : decisions) {
+  for (const auto& [time, bids, path] : decisions) {
     EXPECT_EQ(bids.considered, static_cast<int>(bids.options.size()));
     for (const BiddenOption& option : bids.options) {
       EXPECT_EQ(option.total, TotalOf(option.bids));
@@ -72,6 +84,19 @@ TEST_P(WhyOfAFlight, GivesTheHelmsChoiceInEveryDecision) {
     EXPECT_NEAR(chosen.length, length, 1e-9);
     for (const Flip& flip : explanation.flips) {
       EXPECT_EQ(ChoiceOf(Reweighted(bids, flip.behavior, flip.new_weight)), flip.to);
+    }
+  }
+}
+
+TEST_P(WhyOfAFlight, NamesAsWaitingNobodyWhoBids) {
+  const ExplainedFlight flight = FlySmallMission(GetParam(), 3);
+  for (const FlownDecision& decision : flight.decisions) {
+    const auto waiting = flight.log.WaitingAt(decision.time + DecisionLog::kIteration);
+    EXPECT_FALSE(waiting.empty()) << "the way home waits for its mode, or what goes down";
+    for (const WaitingBehavior& one : waiting) {
+      EXPECT_NE(one.what, "") << one.name;
+      const auto bidders = Explain({.time = decision.time, .bids = decision.bids}).bidders;
+      EXPECT_EQ(std::ranges::count(bidders, one.name), 0) << one.name << " bids";
     }
   }
 }

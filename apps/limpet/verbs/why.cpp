@@ -80,6 +80,8 @@ std::vector<Explanation> ExplainAll(const std::vector<LoggedDecision>& decisions
     return Explain(decision, log.MotionAt(decision.time));
   });
   std::ranges::stable_sort(explanations, {}, &Explanation::time);
+  for (Explanation& explanation : explanations)
+    explanation.waiting = log.WaitingAt(explanation.time);
   return explanations;
 }
 
@@ -122,7 +124,8 @@ int PrintOne(const WhySource& source, const Arguments& given) {
                                 source.place, *time, decisions.front().time));
   }
   const double asked = time.value_or(std::numeric_limits<double>::infinity());
-  const Explanation explanation = Explain(*decision, source.log.MotionAt(asked));
+  Explanation explanation = Explain(*decision, source.log.MotionAt(asked));
+  explanation.waiting = source.log.WaitingAt(asked);
   if (given.Has("json")) {
     fmt::print("{}", JsonOf(explanation, source.session));
   } else {
@@ -155,7 +158,11 @@ int PrintMotions(const WhySource& source, const Arguments& given) {
   if (changes.empty()) return Complain(source.place + ": the helm says nothing in that time");
   if (given.Has("json")) {
     std::vector<Explanation> explanations;
-    std::ranges::transform(changes, std::back_inserter(explanations), ExplainChange);
+    std::ranges::transform(changes, std::back_inserter(explanations), [&](const auto& change) {
+      Explanation explanation = ExplainChange(change);
+      explanation.waiting = source.log.WaitingAt(change.time);
+      return explanation;
+    });
     fmt::print("{}", JsonOf(explanations, source.session));
   } else {
     PrintFrame(FrameOfMotions(changes));
@@ -172,7 +179,9 @@ int PrintMotion(const WhySource& source, const Arguments& given) {
     return Complain(fmt::format("{}: the helm says nothing yet at {:g} s; first at {:.1f} s",
                                 source.place, *time, source.log.motions().front().time));
   }
-  const Explanation explanation = ExplainMotion(*motion);
+  Explanation explanation = ExplainMotion(*motion);
+  explanation.waiting =
+      source.log.WaitingAt(time.value_or(std::numeric_limits<double>::infinity()));
   if (given.Has("json")) {
     fmt::print("{}", JsonOf(explanation, source.session));
   } else {

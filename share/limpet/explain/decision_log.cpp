@@ -43,6 +43,7 @@ void DecisionLog::Take(const LoggedWord& word, double time) {
   } else {
     stops_.Take(word.variable, word.value, time);
     events_.Take(word, time);
+    waiting_.Take(word.variable, word.value, time);
   }
   unreadable_ += is_read ? 0 : 1;
 }

@@ -10,6 +10,7 @@
 
 #include "limpet/explain/helm_event.hpp"
 #include "limpet/explain/helm_stop.hpp"
+#include "limpet/explain/waiting_behavior.hpp"
 #include "limpet/topics/mission.hpp"
 
 namespace limpet {
@@ -55,12 +56,17 @@ class DecisionLog {
   /// The first word on how it moved after a stop; without any, that nobody says.
   [[nodiscard]] LoggedMotion MotionAfter(const HelmStop& stop) const;
   [[nodiscard]] const HelmEvents& events() const { return events_; }
+  /// Which behaviors did not run at a time, and for want of what.
+  [[nodiscard]] std::vector<WaitingBehavior> WaitingAt(double time) const {
+    return waiting_.At(time);
+  }
 
  private:
   std::vector<LoggedDecision> decisions_;
   std::vector<LoggedMotion> motions_;
   HelmStops stops_;
   HelmEvents events_;
+  WaitingBehaviors waiting_;
   std::size_t unreadable_ = 0;
 };
 

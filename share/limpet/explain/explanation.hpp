@@ -26,7 +26,8 @@ struct Explanation {
   std::vector<ExplainedOption> options;
   std::vector<std::string> bidders;  ///< every behavior with an opinion
   std::vector<Flip> flips;
-  std::optional<LoggedMotion> motion;  ///< how it moved; nothing: nobody said
+  std::optional<LoggedMotion> motion;      ///< how it moved; nothing: nobody said
+  std::vector<WaitingBehavior> waiting{};  ///< behaviors that do not run
 };
 
 /// `motion`: how the vehicle moved when that is asked for.

@@ -85,6 +85,13 @@ Json Built(const Explanation& explanation, const std::string& session) {
         {{"behavior", flip.behavior}, {"weight", flip.new_weight}, {"to", flip.to}});
   }
   out["motion"] = explanation.motion ? Built(*explanation.motion) : Json(nullptr);
+  out["waiting"] = Json::array();
+  for (const WaitingBehavior& waiting : explanation.waiting) {
+    out["waiting"].push_back({{"behavior", waiting.name},
+                              {"state", waiting.is_done ? "completed" : "idle"},
+                              {"because", waiting.what},
+                              {"since", waiting.since}});
+  }
   return out;
 }
 

@@ -172,6 +172,24 @@ Frame MotionTable(const LoggedMotion& logged) {
   return frame;
 }
 
+std::string WantOf(const WaitingBehavior& waiting) {
+  const std::string what = OneLine(waiting.what, 90);
+  if (waiting.is_done) return what.empty() ? "nothing: it has completed" : "nothing: " + what;
+  return what.empty() ? "the helm, which has asked nobody yet" : what;
+}
+
+void AppendWaiting(const Explanation& explanation, Frame& frame) {
+  if (explanation.waiting.empty()) return;
+  TextTable table({"  who does not run", "waits for", "since"});
+  for (const WaitingBehavior& waiting : explanation.waiting) {
+    table.Add({{"  " + Shown(waiting.name)},
+               {WantOf(waiting)},
+               {fmt::format("{:.1f} s", waiting.since)}});
+  }
+  frame.emplace_back();
+  Append(table.Lines(), frame);
+}
+
 }  // namespace
 
 Frame FrameOf(const Explanation& explanation) {
@@ -196,6 +214,7 @@ Frame FrameOf(const Explanation& explanation) {
     frame.emplace_back();
     Append(MotionTable(*explanation.motion), frame);
   }
+  AppendWaiting(explanation, frame);
   return frame;
 }
 
@@ -203,6 +222,7 @@ Frame FrameOfMotion(const Explanation& explanation) {
   Frame frame{Line(fmt::format("{:.1f} s: {}", explanation.time, OneLine(explanation.cause, 60)),
                    Ink::kTitle)};
   if (explanation.motion) Append(MotionTable(*explanation.motion), frame);
+  AppendWaiting(explanation, frame);
   return frame;
 }
 

@@ -164,5 +164,20 @@ TEST(Changes, AreALineADecision) {
   EXPECT_THAT(text, HasSubstr("beam, 10.0 m, 0.85 per metre, of 3 options"));
 }
 
+TEST(Explanation, SaysWhoDoesNotRunAndForWantOfWhat) {
+  Explanation explanation = Explain(SurveyDecision());
+  EXPECT_THAT(PlainText(FrameOf(explanation)), Not(HasSubstr("who does not run")));
+  explanation.waiting = {
+      {.name = "home", .what = "RETURN = true", .since = 3.5},
+      {.name = "fix", .what = "completed-byduration", .since = 40.0, .is_done = true}};
+  const std::string text = PlainText(FrameOf(explanation));
+  EXPECT_THAT(text, HasSubstr("home"));
+  EXPECT_THAT(text, HasSubstr("RETURN = true"));
+  EXPECT_THAT(text, HasSubstr("nothing: completed-byduration"));
+  const auto json = nlohmann::json::parse(JsonOf(explanation, ""));
+  EXPECT_EQ(json.at("waiting").at(0).at("because"), "RETURN = true");
+  EXPECT_EQ(json.at("waiting").at(1).at("state"), "completed");
+}
+
 }  // namespace
 }  // namespace limpet
