@@ -65,13 +65,10 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
       dvl_sheet_(vehicle.sensors.dvl),
       p_BS_(vehicle.sensors.sonar.p_BS),
       R_BD_(RotationFromRollPitchYaw(0.0, 0.0, vehicle.sensors.dvl.yaw.value())),
-      full_force_B_(vehicle.params.thrusters.max_thrust_n *
-                    vehicle.params.thrusters.WrenchPerThrust().topRows<2>()),
       stale_after_(std::max(params.stale_after, kRealPause * context.warp)),
       lens_(params.camera.lens()),
       attitude_(AttitudeParamsOf(params, vehicle.sensors)),
       navigator_(NavigatorParamsOf(params, vehicle)) {
-  SubscribeIfWritten(topics::kThrusterCommand, &NavApp::OnThrusters);
   SubscribeIfWritten(topics::kObstacleSonar, &NavApp::OnSonar);
   Subscribe(topics::kSessionPrior, &NavApp::OnPrior);
   Subscribe(topics::kMapSnapshotRequest, &NavApp::OnSnapshotRequest);
@@ -79,7 +76,7 @@ NavApp::NavApp(const AppContext& context, const Params& params, const VehicleFil
 
 void NavApp::SubscribeTo(const MeasurementSource& source,
                          std::function<bool(std::shared_ptr<mrpt::obs::CObservation>)> use) {
-  SubscribeRaw(source.variable(), [this, &source, use = std::move(use)](const MessagePtr& message) {
+  const auto hear = [this, &source, use = std::move(use)](const MessagePtr& message) {
     if (!HasUsableStamp(message->name, message->time, message->source)) return;
     auto seen = source.Observe(message->time.value(), message->value);
     if (seen != nullptr && use(std::move(seen))) {
@@ -87,7 +84,9 @@ void NavApp::SubscribeTo(const MeasurementSource& source,
     } else {
       Warn(warnings::kBadMail.Of(message->name), "makes no sense; sent by " + message->source);
     }
-  });
+  };
+  source.is_dispensable() ? SubscribeRawIfWritten(source.variable(), hear)
+                          : SubscribeRaw(source.variable(), hear);
 }
 
 void NavApp::Hear(const std::string& name, std::unique_ptr<MeasurementSource> source) {
@@ -127,11 +126,7 @@ void NavApp::On(const YawRate& turning) {
   }
 }
 
-void NavApp::OnThrusters(const Stamped<ThrusterCommand>& command) {
-  const auto shares = command.value.Shares();
-  const Eigen::Map<const ThrusterVector> share(shares.data());
-  navigator_.AddForce(command.time.value(), full_force_B_ * share.cwiseMax(-1.0).cwiseMin(1.0));
-}
+void NavApp::On(const ThrusterShares& command) { navigator_.AddCommand(command); }
 
 void NavApp::On(const InertialInput& sample) {
   const double t = sample.t;

@@ -121,7 +121,7 @@ class NavApp final : public App {
   void On(const DepthReading& reading);
   void On(const PositionFix& fix);
   void On(const Detections& frame);
-  void OnThrusters(const Stamped<ThrusterCommand>& command);
+  void On(const ThrusterShares& command);
   void OnSonar(const Stamped<SonarPing>& ping);
   /// Each echo of the ping is the former ping's: noise lets a sound sonar say no such.
   [[nodiscard]] bool RepeatsEchoes(const SonarPing& ping);
@@ -160,7 +160,6 @@ class NavApp final : public App {
   Eigen::Vector3d p_BS_;  ///< of the sonar that looks ahead
   Eigen::Matrix3d R_BD_;  ///< body from the DVL's own frame
   /// Force ahead and abeam of each thruster at full command [N].
-  Eigen::Matrix<double, 2, kMostThrusters> full_force_B_;
   Seconds stale_after_;  ///< as the mission says, and at least half a second of real time
   LensModel lens_;       ///< boxes are rectified where they come in; what follows is a pinhole's
   AttitudeFilter attitude_;

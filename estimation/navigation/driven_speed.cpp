@@ -21,6 +21,13 @@ void DrivenSpeed::AddForce(double t, const Eigen::Vector2d& force_B, double yaw_
   knots_.push_back({.t = t, .v_B = v_B, .force_B = force_B, .yaw_rate = yaw_rate});
 }
 
+void DrivenSpeed::AddCommand(const ThrusterShares& command, double yaw_rate) {
+  if (!params_.full_thrust_B) return;
+  const Eigen::Map<const Eigen::Matrix<double, FullThrust::ColsAtCompileTime, 1>> shares(
+      command.shares.data());
+  AddForce(command.t, *params_.full_thrust_B * shares.cwiseMax(-1.0).cwiseMin(1.0), yaw_rate);
+}
+
 std::optional<Eigen::Vector2d> DrivenSpeed::At(double t) const {
   if (knots_.empty()) return std::nullopt;
   const auto is_later = [t](const Knot& knot) { return knot.t > t; };

@@ -48,9 +48,8 @@ class MeasurementBuffer {
   void AddDepth(double t, Meters depth);
   /// Takes how far a compass is off the attitude's yaw.
   void AddCompass(double t, Radians off);
-  /// Takes the thrusters' force, as OdometryTrack::AddForce does.
-  void AddForce(double t, const Eigen::Vector2d& force_B) {
-    if (IsPlausible(t)) track_.AddForce(t, force_B);
+  void AddCommand(const ThrusterShares& command) {
+    if (IsPlausible(command.t)) track_.AddCommand(command);
   }
   void AddFix(const PositionFix& fix);
   void AddFrame(const Detections& frame);

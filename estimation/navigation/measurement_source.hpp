@@ -57,6 +57,8 @@ class MeasurementSource {
       const mrpt::obs::CObservation& /*seen*/) const {
     return std::nullopt;
   }
+  /// True for one without which a vehicle is known well enough: nobody may write its variable.
+  [[nodiscard]] virtual bool is_dispensable() const { return false; }
   /// True for one that says where the vehicle is: dead reckoning begins anew.
   [[nodiscard]] virtual bool is_fix() const { return false; }
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <variant>
 
@@ -33,7 +34,15 @@ struct DepthReading {
   double t = 0.0, depth = 0.0;  ///< [m]
 };
 
+/// What the thrusters are told from `t` on: normalised thrust of each, -1 to 1, in the order of the
+/// vehicle's file; zero of those that it has not.
+struct ThrusterShares {
+  static constexpr std::size_t kMost = 8;
+  double t = 0.0;
+  std::array<double, kMost> shares = {};
+};
+
 using MotionReading = std::variant<InertialInput, YawRate, BottomTrack, SlantRanges, DepthReading,
-                                   PositionFix, Detections>;
+                                   PositionFix, Detections, ThrusterShares>;
 
 }  // namespace limpet

@@ -63,8 +63,9 @@ class Navigator {
   /// Height of the DVL above the seabed; kept as that of the body origin. Comes after an
   /// attitude.
   void AddAltitude(double t, Meters dvl_altitude) { measurements_.AddAltitude(t, dvl_altitude); }
-  /// The thrusters push with this force from `t` on, ahead and abeam [N].
-  void AddForce(double t, const Eigen::Vector2d& force_B) { measurements_.AddForce(t, force_B); }
+  /// Takes what the thrusters are told, from which the speed through the water follows; without
+  /// effect where the drive's `full_thrust_B` is not known.
+  void AddCommand(const ThrusterShares& command) { measurements_.AddCommand(command); }
   void AddDepth(double t, Meters depth) { measurements_.AddDepth(t, depth); }
   /// Takes how far a compass is off the attitude's yaw.
   void AddCompass(double t, Radians off) { measurements_.AddCompass(t, off); }

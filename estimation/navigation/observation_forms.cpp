@@ -111,6 +111,12 @@ ObservationPtr ObservationOf(const PositionFix& fix) {
   return WithStamp(fix.t, observation_labels::kGps, std::move(pose));
 }
 
+ObservationPtr ObservationOf(const ThrusterShares& command) {
+  auto some = CObservationRawDAQ::Create();
+  some->AIN_double.assign(command.shares.begin(), command.shares.end());
+  return WithStamp(command.t, observation_labels::kThrusters, std::move(some));
+}
+
 ObservationPtr ObservationOf(const Detections& frame, double arrival) {
   auto some = CObservationRawDAQ::Create();
   some->AIN_double = {static_cast<double>(frame.frame), frame.exposure.value(), arrival};
@@ -171,6 +177,17 @@ std::optional<PositionFix> FixOf(const mrpt::obs::CObservation& seen) {
   return PositionFix{.t = SecondsOf(seen),
                      .p_W = {fix->pose.mean.x(), fix->pose.mean.y()},
                      .sd = std::sqrt(std::max(cov(0, 0), cov(1, 1)))};
+}
+
+std::optional<ThrusterShares> ThrusterSharesOf(const mrpt::obs::CObservation& seen) {
+  const auto* some = dynamic_cast<const CObservationRawDAQ*>(&seen);
+  ThrusterShares command{.t = SecondsOf(seen)};
+  if (some == nullptr || some->AIN_double.size() != command.shares.size() ||
+      !std::ranges::all_of(some->AIN_double, [](double share) { return std::isfinite(share); })) {
+    return std::nullopt;
+  }
+  std::ranges::copy(some->AIN_double, command.shares.begin());
+  return command;
 }
 
 std::optional<SeenFrame> FrameOf(const mrpt::obs::CObservation& seen) {

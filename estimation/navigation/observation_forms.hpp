@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How what dead reckoning stands on is written as observations: of classes of MRPT's own, so that
-// its viewers and tools read every one. What MRPT has no class for (boxes, beams) is numbers of a
-// CObservationRawDAQ; a comment would not do: CRawlog keeps only the last one.
+// its viewers and tools read every one. What MRPT has no class for (boxes, beams, commands) is
+// numbers of a CObservationRawDAQ; a comment would not do: CRawlog keeps only the last one.
 #pragma once
 
 #include <memory>
@@ -26,6 +26,7 @@ inline constexpr const char* kBeams = "dvl_beams";  ///< four slant ranges [m]; 
 inline constexpr const char* kDepth = "depth";      ///< IMU_Z: down [m]
 inline constexpr const char* kGps = "gps";          ///< north, east [m]
 inline constexpr const char* kBoxes = "boxes";      ///< frame, exposure, arrival, then five per box
+inline constexpr const char* kThrusters = "thrusters";  ///< share of full thrust of each
 }  // namespace observation_labels
 
 /// Time of an observation [s], since 1970 or since a stream's start: the double next to the decimal
@@ -45,6 +46,7 @@ using ObservationPtr = std::shared_ptr<mrpt::obs::CObservation>;
 [[nodiscard]] ObservationPtr ObservationOf(const SlantRanges& ping);
 [[nodiscard]] ObservationPtr ObservationOf(const DepthReading& reading);
 [[nodiscard]] ObservationPtr ObservationOf(const PositionFix& fix);
+[[nodiscard]] ObservationPtr ObservationOf(const ThrusterShares& command);
 /// Takes when the boxes came [s], beside the exposure of `frame`.
 [[nodiscard]] ObservationPtr ObservationOf(const Detections& frame, double arrival);
 
@@ -56,6 +58,7 @@ using ObservationPtr = std::shared_ptr<mrpt::obs::CObservation>;
 [[nodiscard]] std::optional<SlantRanges> SlantRangesOf(const mrpt::obs::CObservation& seen);
 [[nodiscard]] std::optional<DepthReading> DepthOf(const mrpt::obs::CObservation& seen);
 [[nodiscard]] std::optional<PositionFix> FixOf(const mrpt::obs::CObservation& seen);
+[[nodiscard]] std::optional<ThrusterShares> ThrusterSharesOf(const mrpt::obs::CObservation& seen);
 struct SeenFrame {
   Detections frame;
   double arrival = 0.0;   ///< [s]

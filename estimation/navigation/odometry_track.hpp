@@ -127,9 +127,9 @@ class OdometryTrack {
   /// The end of the last dropout that has ended; nothing before one.
   [[nodiscard]] const std::optional<BridgeEnd>& bridge_end() const { return bridge_end_.end(); }
 
-  /// The thrusters push with this force from `t` on, ahead and abeam [N].
-  void AddForce(double t, const Eigen::Vector2d& force_B) {
-    driven_.AddForce(t, force_B, is_empty() ? 0.0 : samples_.back().turn_rate);
+  /// What the thrusters are told from its time on.
+  void AddCommand(const ThrusterShares& command) {
+    driven_.AddCommand(command, is_empty() ? 0.0 : samples_.back().turn_rate);
   }
 
   /// Current and speed through the water; its north is the attitude's.

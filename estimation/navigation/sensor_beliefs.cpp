@@ -83,11 +83,15 @@ void BelieveHull(const VehicleParams& vehicle, NavigatorParams& params) {
   params.surface_depth_sigma = Meters(TwoDigits(kHullMargin * height / std::sqrt(12.0)));
 }
 
+static_assert(kMostThrusters == static_cast<int>(ThrusterShares::kMost));
+
 DriveParams BelievedDrive(const VehicleParams& vehicle) {
   const Hydrodynamics hydro = DeriveHydrodynamics(vehicle);
   return {.mass_B = hydro.mass_matrix.diagonal().head<2>(),
           .linear_drag_B = hydro.linear_drag.head<2>(),
-          .quadratic_drag_B = hydro.quadratic_drag.head<2>()};
+          .quadratic_drag_B = hydro.quadratic_drag.head<2>(),
+          .full_thrust_B =
+              vehicle.thrusters.max_thrust_n * vehicle.thrusters.WrenchPerThrust().topRows<2>()};
 }
 
 void BelieveVelocityErrors(const VelocityErrors& errors, OdometryParams& odometry) {

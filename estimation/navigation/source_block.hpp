@@ -21,7 +21,8 @@ namespace limpet {
 using NamedSources = std::vector<std::pair<std::string, std::unique_ptr<SourceFactory>>>;
 
 /// What dead reckoning stands on where a block does not say.
-inline constexpr const char* kUsualSensors = "imu, fog, dvl, dvl_beams, depth, gps, boxes";
+inline constexpr const char* kUsualSensors =
+    "imu, fog, dvl, dvl_beams, depth, gps, boxes, thrusters";
 
 struct SourceBlock {
   NamedSources sensors;          ///< that dead reckoning stands on

@@ -121,6 +121,11 @@ class RawlogRows {
       if (ranges && ping != nullptr) ping->beams = ranges->beams;
       if (ranges) return ping != nullptr;
     }
+    if (some.sensorLabel == observation_labels::kThrusters) {
+      const auto command = ThrusterSharesOf(some);
+      if (command) stream_.rows.emplace_back(*command);
+      return command.has_value();
+    }
     return some.sensorLabel == observation_labels::kBoxes && TakeBoxes(some);
   }
   /// True once it is one of those that we write.

@@ -81,6 +81,7 @@ class RawlogWriter {
   }
   void operator()(const DepthReading& row) { Write(ObservationOf(row)); }
   void operator()(const PositionFix& row) { Write(ObservationOf(row)); }
+  void operator()(const ThrusterShares& row) { Write(ObservationOf(row)); }
   void operator()(const FrameRow& row) { Write(ObservationOf(row.frame, row.arrival)); }
 
   [[nodiscard]] int untimely_rows() const { return untimely_rows_; }

@@ -57,6 +57,7 @@ class Replayer {
     const bool is_filtering = filter_.estimate().has_value() && navigator_.has_started();
     if (is_filtering) filter_.SetBodyVelocity(navigator_.Estimate(now_).v_B);
   }
+  void operator()(const ThrusterShares& row) { navigator_.AddCommand(row); }
   void operator()(const DepthReading& row) { navigator_.AddDepth(row.t, Meters(row.depth)); }
   void operator()(const PositionFix& row) {
     navigator_.AddGps(row.t, row.p_W, row.sd);
@@ -191,6 +192,7 @@ NavigatorParams ParamsForVehicle(const VehicleParams& hull, const SensorSheets& 
                                  const CameraModel& camera, const StreamMeta& meta) {
   NavigatorParams params;
   BelieveHull(hull, params);
+  params.odometry.drive = BelievedDrive(hull);
   BelieveSheets(sheets, params);
   params.camera = camera;
   params.objects.model.radius_m = meta.opi_radius;

@@ -65,7 +65,7 @@ struct SourceRow {
 };
 /// Attitudes, or what a filter makes them of: inertial samples, and a fibre-optic gyro's rates.
 using StreamRow = std::variant<AttitudeEstimate, DvlRow, DepthReading, PositionFix, FrameRow,
-                               InertialInput, YawRate>;
+                               InertialInput, YawRate, ThrusterShares>;
 
 struct SensorStream {
   StreamMeta meta;

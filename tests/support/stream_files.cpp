@@ -47,6 +47,7 @@ std::string LineOf(const FrameRow& row) {
 /// A stream's folder holds attitudes, not what they are made of.
 std::string LineOf(const InertialInput& /*row*/) { return {}; }
 std::string LineOf(const YawRate& /*row*/) { return {}; }
+std::string LineOf(const ThrusterShares& /*row*/) { return {}; }
 
 std::string MetaOf(const StreamMeta& meta) {
   const CameraModel& camera = meta.camera;

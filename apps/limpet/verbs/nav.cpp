@@ -154,6 +154,15 @@ Expected<ReplayParams> ParamsFor(const Arguments& given, const NavInput& input) 
         "{}: its meta.csv does not say {}: usual values are taken; --vehicle FILE says them\n",
         given.positionals().front(), fmt::join(unsaid, ", "));
   }
+  const auto commands = std::ranges::count_if(stream.rows, [](const StreamRow& row) {
+    return std::holds_alternative<ThrusterShares>(row);
+  });
+  if (commands > 0) {
+    fmt::print(stderr,
+               "{}: {} commands of the thrusters are not heard: what they push is not known; "
+               "--vehicle FILE says it\n",
+               given.positionals().front(), commands);
+  }
   return ReplayParams{ParamsForStream(stream.meta), SensorsForStream(stream.meta)};
 }
 

@@ -164,6 +164,12 @@ class App {
   void SubscribeRaw(const WildcardFilter& filter, std::function<void(const MessagePtr&)> handler);
   /// One variable, undecoded: for names and types that only the mission knows.
   void SubscribeRaw(const std::string& name, std::function<void(const MessagePtr&)> handler);
+  /// One that the app can do without where nobody writes it.
+  void SubscribeRawIfWritten(const std::string& name,
+                             std::function<void(const MessagePtr&)> handler) {
+    dispensable_.insert(name);
+    SubscribeRaw(name, std::move(handler));
+  }
 
   template <class T>
   void Publish(const Topic<T>& topic, const T& value, const std::string& source_aux = "") {

@@ -14,8 +14,8 @@
 namespace limpet {
 
 /// What the sensors of a logged run said that dead reckoning usually stands on, as a stream:
-/// IMU_DATA, FOG_YAW_RATE, DVL_DATA, DEPTH_SENSOR, GPS_DATA and DETECTIONS, each as it was logged,
-/// in order of arrival.
+/// IMU_DATA, FOG_YAW_RATE, DVL_DATA, DEPTH_SENSOR, GPS_DATA, DETECTIONS and THRUSTER_COMMAND, each
+/// as it was logged, in order of arrival.
 class LoggedStream {
  public:
   /// `vehicle`: camera, and where and how turned the DVL is. Without one the DVL looks ahead.

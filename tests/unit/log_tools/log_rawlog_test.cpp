@@ -46,6 +46,46 @@ std::string LogOfARun() {
                      R"("confidence":0.9,"color":"yellow"}]})");
 }
 
+/// Commands of the thrusters, ahead and then off, and what comes of them: from 60 s on nobody
+/// measures the velocity, and from 62 s on the vehicle runs out.
+std::string LogOfAStopUnseen() {
+  std::string log = kMadeBanner;
+  double u = 0.0;  // [m/s]
+  for (int i = 0; i < 5000; ++i) {
+    const double t = 0.02 * i, share = t > 20.0 && t < 62.0 ? 0.26 : 0.0;
+    const double force = 35.0 * share - 3.0 * u - 30.0 * u * std::abs(u);  // [N]
+    log += Entry(t, "IMU_DATA",
+                 fmt::format("fx={},fy=0,fz=-9.81,p=0,q=0,r=0,heading=0", force / 45.0));
+    log += Entry(t, "FOG_YAW_RATE", "0.00000");
+    if (i % 5 == 0) {
+      log +=
+          Entry(t, "THRUSTER_COMMAND", fmt::format("t1={0},t2={0},t3={0},t4={0},t5=0,t6=0", share));
+    }
+    if (i % 10 == 0) {
+      log +=
+          Entry(t, "DVL_DATA",
+                t < 60.0 ? fmt::format("has_lock=true,u={},v=0,w=0,altitude=4,sd_horizontal=0.01,"
+                                       "sd_vertical=0.005",
+                                       u)
+                         : std::string("has_lock=false"));
+      log += Entry(t, "DEPTH_SENSOR", "3.00000");
+    }
+    if (i % 50 == 0 && t < 20.0) log += Entry(t, "GPS_DATA", "north=7,east=-3,sd=0.4");
+    u += 0.02 * force / 45.0;
+  }
+  return log;
+}
+
+/// How far on the vehicle is thought to have gone [m].
+double WayOn(const SensorStream& stream) {
+  const VehicleFile vehicle = LoadMissionVehicle("feelhippo.yaml", ".");
+  const ReplayResult result = Replay(
+      stream,
+      ParamsForVehicle(vehicle.params, vehicle.sensors, vehicle.camera.geometry(), stream.meta),
+      [] { return 0.0; });
+  return result.online.empty() ? 0.0 : result.online.back().X_WB.p_WB.x() - 7.0;
+}
+
 class LogRawlog : public ::testing::Test {
  protected:
   LogRawlog() { WriteLog(log_, LogOfARun()); }
@@ -95,6 +135,17 @@ TEST_F(LogRawlog, IsReplayedByTheEstimator) {
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.x(), 7.0 + 1.25 + 0.5 * 29.0, 0.3);
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.y(), -3.0, 0.3);
   EXPECT_NEAR(result.smoothed.back().X_WB.p_WB.z(), 3.0, 0.05);
+}
+
+TEST_F(LogRawlog, CommandsOfTheThrustersTellThatTheVehicleHasStopped) {
+  WriteLog(log_, LogOfAStopUnseen());
+  SensorStream stream = Convert({"--vehicle", "feelhippo.yaml"});
+  EXPECT_EQ(CountOf<ThrusterShares>(stream), 1000U);
+  const double way = 0.5 * 38.0 + 2.0;  // about: it gathers speed from 20 s on, and runs out
+  EXPECT_NEAR(WayOn(stream), way, 3.0);
+  std::erase_if(stream.rows,
+                [](const StreamRow& row) { return std::holds_alternative<ThrusterShares>(row); });
+  EXPECT_GT(WayOn(stream), way + 8.0) << "without them it is thought to go on";
 }
 
 TEST_F(LogRawlog, HasTheCameraOfTheVehicleThatIsNamed) {

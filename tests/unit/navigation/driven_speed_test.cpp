@@ -38,6 +38,20 @@ TEST(DrivenSpeed, TakesTimeToGainSpeed) {
   EXPECT_LT(driven.At(1.0)->x(), 0.8 * driven.At(10.0)->x());
 }
 
+TEST(DrivenSpeed, IsThatOfTheForceWhichThrustersMakeOfACommand) {
+  DriveParams with_thrusters = kHull;
+  with_thrusters.full_thrust_B = FullThrust::Zero();
+  with_thrusters.full_thrust_B->col(0) = Eigen::Vector2d(20.0, 4.0);
+  with_thrusters.full_thrust_B->col(7) = Eigen::Vector2d(10.0, -4.0);
+  DrivenSpeed commanded(with_thrusters), forced(kHull);
+  commanded.AddCommand({.t = 0.0, .shares = {0.5, 0, 0, 0, 0, 0, 0, 3.0}}, 0.0);
+  forced.AddForce(0.0, {20.0, -2.0}, 0.0);
+  EXPECT_EQ(commanded.At(1.0), forced.At(1.0)) << "none pushes more than all";
+  DrivenSpeed unknown(kHull);
+  unknown.AddCommand({.t = 0.0, .shares = {1.0}}, 0.0);
+  EXPECT_FALSE(unknown.At(1.0).has_value()) << "nobody says what they push";
+}
+
 TEST(DrivenSpeed, StopsWhenCommandsCease) {
   const DrivenSpeed driven = Driven({10.0, 0.0}, 0.0, 30.0);
   EXPECT_NEAR(driven.At(30.9)->x(), driven.At(29.9)->x(), 1e-3)

@@ -47,6 +47,11 @@ std::vector<double> NumbersOf(const DvlRow& row) {
           row.beams[3].value_or(-99.0)};
 }
 std::vector<double> NumbersOf(const DepthReading& row) { return {row.t, row.depth}; }
+std::vector<double> NumbersOf(const ThrusterShares& row) {
+  std::vector<double> all{row.t};
+  all.insert(all.end(), row.shares.begin(), row.shares.end());
+  return all;
+}
 std::vector<double> NumbersOf(const PositionFix& row) {
   return {row.t, row.p_W.x(), row.p_W.y(), row.sd};
 }
@@ -97,7 +102,8 @@ SensorStream EveryRow() {
                     .force_B = {0.1, 0.2, -9.8},
                     .rate_B = {1e-3, 2e-3, 3e-3},
                     .heading = 6.0},
-      YawRate{.t = 1'767'225'600.02, .rate = -1e-5}};
+      YawRate{.t = 1'767'225'600.02, .rate = -1e-5},
+      ThrusterShares{.t = 1'767'225'600.1, .shares = {0.1, -1.0, 1.0 / 3.0, 0, 0, 0, 0, 1.0}}};
   return stream;
 }
 
@@ -177,7 +183,7 @@ TEST(Rawlog, WhatComesAgainBitForBitCountsOnce) {
   const auto twice = ParseRawlog(bytes + bytes, "x.rawlog");
   ASSERT_TRUE(twice.has_value());
   EXPECT_EQ(RowsOf(*twice), RowsOf(EveryRow()));
-  EXPECT_THAT(twice->left_out, ElementsAre(HasSubstr("12 such were dropped: each counts once")));
+  EXPECT_THAT(twice->left_out, ElementsAre(HasSubstr("13 such were dropped: each counts once")));
 }
 
 TEST(Rawlog, CutInItsLastObservationKeepsWhatComesBeforeAndSaysSo) {
