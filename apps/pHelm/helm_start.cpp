@@ -79,6 +79,7 @@ void HelmApp::BeginAnew(bool posts_initial_values) {
   view_failures_.clear();
   view_late_.clear();
   SubscribeForBehaviors();
+  if (!is_introduced_) return;  // it begins with these
   journal_.PostStart(host_, now());
   journal_.PostLifeEvents(host_.TakeLifeEvents(), helm_iteration_, now());
   PostInitial(posts_initial_values);

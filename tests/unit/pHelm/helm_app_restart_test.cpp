@@ -140,6 +140,18 @@ TEST_F(HelmRestart, RefusesOtherWordsAndSaysSo) {
   EXPECT_TRUE(app_->warnings().contains("RESTART_REFUSED"));
 }
 
+TEST_F(HelmRestart, BeforeItsFirstIterationBeginsWithTheNewFiles) {
+  app_ = std::make_unique<HelmApp>(context_, HelmParams());
+  Write("0.8", Block("other", "speed = 0.8"));
+  link_.published.clear();
+  Restart("type1");
+  Tick();
+  EXPECT_EQ(link_.Last(topics::kHelmBehaviorCount), 2);
+  EXPECT_THAT(Posts("DEPLOY"), ElementsAre("false")) << "as any helm that begins";
+  EXPECT_EQ(Posts("IVPHELM_DOMAIN").size(), 1U);
+  EXPECT_THAT(Posts("IVPHELM_RESTARTED"), IsEmpty());
+}
+
 TEST_F(HelmRestart, AProcessThatWasReplacedLeavesAnOldWordAlone) {
   Write("0.8");
   link_.SendStamped(*app_, topics::kHelmRestart, std::string("type2"), link_.time - Seconds(60.0));
