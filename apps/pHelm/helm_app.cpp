@@ -222,14 +222,7 @@ void HelmApp::Iterate(Seconds now) {
     PublishState(now);
     return;
   }
-  VehicleState state{.now = now,
-                     .nav = *nav_,
-                     .guidance = planner_.Guide(*nav_),
-                     .area = planner_.survey().area(),
-                     .home = planner_.survey().home(),
-                     .domain = arbiter_.domain(),
-                     .ownship = ownship_,
-                     .heard = &host_.heard()};
+  VehicleState state = StateAt(now);
   if (is_parked_) {
     StandStill("ManualOverride");  // behaviors stand, too: no duration runs, no flag is posted
   } else {
@@ -243,6 +236,18 @@ void HelmApp::Iterate(Seconds now) {
     drawing_.ErasePath();
   }
   PublishState(now);
+}
+
+VehicleState HelmApp::StateAt(Seconds now) {
+  const NavState nav = nav_.value_or(NavState());
+  return {.now = now,
+          .nav = nav,
+          .guidance = planner_.Guide(nav),
+          .area = planner_.survey().area(),
+          .home = planner_.survey().home(),
+          .domain = arbiter_.domain(),
+          .ownship = ownship_,
+          .heard = &host_.heard()};
 }
 
 void HelmApp::Drive(VehicleState& state) {

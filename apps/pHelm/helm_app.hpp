@@ -83,8 +83,8 @@ class HelmApp final : public App {
   void SubscribeForBehaviors();
   /// Once, before the first iteration.
   void Introduce();
-  /// What `initialize` lines say, if it is to be; notes what behaviors ask of apps (PostRequests).
-  void PostInitial(bool with_values);
+  /// What `initialize` lines say; notes what behaviors ask of apps (PostRequests).
+  void PostInitial(BehaviorHost::Initials which);
   /// Once, as the first decision is due of a helm whose process was replaced, or that was told to
   /// begin anew.
   void TellRestart();
@@ -92,11 +92,13 @@ class HelmApp final : public App {
   void OnRestart(const Message& message);
   /// Makes all behaviors anew from the files as they are now; what was heard stays known. If they
   /// cannot be made, those that there are go on.
-  void BeginAnew(bool posts_initial_values);
+  void BeginAnew(BehaviorHost::Initials posted);
   /// IVPHELM_CPU, once a second.
   void TellLoad();
   void Post(const std::vector<HelmPost>& posts);
   void Iterate(Seconds now);
+  /// What behaviors are told of the vehicle; its `nav` is all zeros where nothing is known of it.
+  [[nodiscard]] VehicleState StateAt(Seconds now);
   void Drive(VehicleState& state);
   /// Stops all, and forgets the path.
   void StandStill(const std::string& why);

@@ -30,20 +30,20 @@ void HelmApp::Introduce() {
     }
   }
   if (context().is_restarted) return;  // DEPLOY = false would end a mission under way
-  PostInitial(true);
+  PostInitial(BehaviorHost::Initials::kAll);
   if (app_wait_.is_over()) return;
   SubscribeRaw("DB_CLIENTS", [this](const MessagePtr& message) {
     if (const auto* clients = std::get_if<std::string>(&message->value)) app_wait_.Hear(*clients);
   });
 }
 
-void HelmApp::PostInitial(bool with_values) {
-  std::vector<HelmPost> posts = host_.InitialPosts();
+void HelmApp::PostInitial(BehaviorHost::Initials which) {
+  std::vector<HelmPost> posts = host_.InitialPosts(which);
   const auto requests = std::stable_partition(
       posts.begin(), posts.end(), [](const HelmPost& post) { return post.aux == "HELM_VAR_INIT"; });
   requests_.assign(std::make_move_iterator(requests), std::make_move_iterator(posts.end()));
   posts.erase(requests, posts.end());
-  if (with_values) Post(posts);
+  Post(posts);
 }
 
 void HelmApp::TellRestart() {
@@ -60,12 +60,14 @@ void HelmApp::OnRestart(const Message& message) {
     Warn(warnings::kRestartRefused, "type1 or type2 is to be said, by " + message.source);
     return;
   }
-  BeginAnew(*type == "type2");
+  using Initials = BehaviorHost::Initials;
+  BeginAnew(*type == "type2" ? Initials::kAll : Initials::kDeferred);
 }
 
-void HelmApp::BeginAnew(bool posts_initial_values) {
+void HelmApp::BeginAnew(BehaviorHost::Initials posted) {
   try {
     BehaviorHost fresh(LoadBehaviorFiles(context(), params_), ClockOf(context()));
+    Post(host_.Retire(StateAt(now())));
     fresh.TakeHeard(host_);
     host_ = std::move(fresh);
   } catch (const ConfigError& error) {
@@ -82,7 +84,7 @@ void HelmApp::BeginAnew(bool posts_initial_values) {
   if (!is_introduced_) return;  // it begins with these
   journal_.PostStart(host_, now());
   journal_.PostLifeEvents(host_.TakeLifeEvents(), helm_iteration_, now());
-  PostInitial(posts_initial_values);
+  PostInitial(posted);
   is_restart_untold_ = true;
 }
 

@@ -129,10 +129,12 @@ bool BehaviorHost::WantsView() const {
   return std::ranges::any_of(hosted_, [](const auto& hosted) { return hosted->WantsView(); });
 }
 
-std::vector<HelmPost> BehaviorHost::InitialPosts() const {
+std::vector<HelmPost> BehaviorHost::InitialPosts(Initials which) const {
   std::vector<HelmPost> posts;
   for (const InitialPost& initial : initializes_) {
-    if (!initial.is_deferred || !heard_.contains(initial.variable)) {
+    const bool is_wanted =
+        initial.is_deferred ? !heard_.contains(initial.variable) : which == Initials::kAll;
+    if (is_wanted) {
       posts.push_back({initial.variable, initial.value, "HELM_VAR_INIT"});
     }
   }
@@ -245,6 +247,16 @@ std::vector<HelmPost> BehaviorHost::Settle(const IterationOutcome& outcome,
   }
   RefreshStatuses();
   RemoveComplete();
+  return posts;
+}
+
+std::vector<HelmPost> BehaviorHost::Retire(const VehicleState& state) {
+  std::vector<HelmPost> posts;
+  const ValueLookup find = [this](std::string_view name) { return Find(name); };
+  HelmTurn turn{.state = state, .lookup = find, .filter = filter_, .posts = posts};
+  for (const auto& hosted : hosted_) {
+    hosted->Retire(turn);
+  }
   return posts;
 }
 

@@ -56,8 +56,10 @@ class BehaviorHost {
   [[nodiscard]] std::vector<ConfigProblem> IgnoredLines() const;
   /// True if a behavior asks for view decisions when it runs.
   [[nodiscard]] bool WantsView() const;
+  /// Which `initialize` lines are posted: all, or those alone that yield to what is known.
+  enum class Initials { kAll, kDeferred };
   /// Posts of `initialize` lines, and what templates ask for.
-  [[nodiscard]] std::vector<HelmPost> InitialPosts() const;
+  [[nodiscard]] std::vector<HelmPost> InitialPosts(Initials which = Initials::kAll) const;
   /// Takes mail: a value for the conditions, an update of behaviors, what they ask for.
   void SetVariable(const std::string& name, const Value& value, Seconds time = Seconds(0.0));
   /// What another one has heard is known here, too.
@@ -75,6 +77,9 @@ class BehaviorHost {
   [[nodiscard]] std::vector<BehaviorFailure> TakeFailures() { return std::exchange(failures_, {}); }
   /// What of behaviors has taken long since the last call, where they do not bid.
   [[nodiscard]] std::vector<OwnedWarning> TakeLateCalls() { return std::exchange(late_calls_, {}); }
+  /// Ends all that run, for good; returns what they post as they go, e.g. erase what they have
+  /// drawn. REQUIRES: nothing is asked of the host after that.
+  [[nodiscard]] std::vector<HelmPost> Retire(const VehicleState& state);
   /// Everything that behaviors post goes out once more, also what has not changed.
   void ForgetPosts() { filter_.Clear(); }
 

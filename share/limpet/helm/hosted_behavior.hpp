@@ -71,6 +71,10 @@ class HostedBehavior {
   void Begin(HelmTurn& turn);
   /// After them: what it did, and whether it had a say.
   void Settle(std::span<const BehaviorAct> acts, bool is_active, HelmTurn& turn);
+  /// It ceases to run, if it does, and is not asked again.
+  void Retire(HelmTurn& turn) {
+    if (is_running()) End(turn);
+  }
   /// What of it has taken long since the last call, where it does not bid.
   [[nodiscard]] std::vector<OwnedWarning> TakeLateCalls() { return std::exchange(late_calls_, {}); }
   /// What it has thrown since the last call, where it does not bid.

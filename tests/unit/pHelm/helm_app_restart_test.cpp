@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Steers north, as fast as its file says.
+/// Steers north, as fast as its file says, and wipes its mark off viewers as it ceases.
 class BHV_TestPace final : public Behavior {
  public:
   struct Params {
@@ -42,6 +42,9 @@ class BHV_TestPace final : public Behavior {
     bid.speed = at(params_.speed);
     bid.depth = at(3.0);
     return bid;
+  }
+  [[nodiscard]] std::vector<BehaviorAct> Stop(const VehicleState&) override {
+    return {BehaviorPost{.variable = "VIEW_MARKER", .value = "label=pace,active=false"}};
   }
 
  private:
@@ -109,6 +112,19 @@ TEST_F(HelmRestart, TakesUpFilesThatWereEditedAndGoesOnWithWhatItHasHeard) {
   EXPECT_THAT(Posts("IVPHELM_SUMMARY"), Contains(HasSubstr("active_bhvs=pace$")));
   Tick();
   EXPECT_THAT(Posts("IVPHELM_RESTARTED"), ElementsAre("true")) << "told once";
+}
+
+TEST_F(HelmRestart, WipesOffWhatTheFormerBehaviorsHaveDrawn) {
+  Restart("type1");
+  EXPECT_THAT(Posts("VIEW_MARKER"), ElementsAre("label=pace,active=false"));
+}
+
+TEST_F(HelmRestart, PostsWhatEditedFilesAddForVariablesThatNobodyHasWritten) {
+  Write("0.8", "initialize_ RETURN = false\ninitialize_ DEPLOY = false\n");
+  link_.published.clear();
+  Restart("type1");
+  EXPECT_THAT(Posts("RETURN"), ElementsAre("false"));
+  EXPECT_THAT(Posts("DEPLOY"), IsEmpty()) << "it has been heard";
 }
 
 TEST_F(HelmRestart, PostsInitialValuesAgainIfAskedTo) {
