@@ -78,14 +78,27 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
   cost.home = std::hypot(homeward.x(), homeward.y());
   cost.toll += CurrentToll(goal_.course_cost, {.yaw = std::atan2(homeward.y(), homeward.x())},
                            {.curvature = 0.0, .length = cost.home});
-  const Footprint& footprint = ground_.footprint();
-  const double top_swath = 2.0 * footprint.half_across(Footprint::kLayers - 1);
-  cost.missing = std::max(0, planes_.unseen()[SeenPlanes::kTop] - may_stay_) * cell_m2_ /
-                 std::max(0.1, top_swath);
+  cost.missing = TrackOf(planes_.unseen()[SeenPlanes::kTop] - may_stay_, SeenPlanes::kTop);
+  cost.most += MostToCome();
   cost.lacking = kFetchPrice * cost.missing + (cost.missing > 0.0 ? kUnfinishedPrice : 0.0);
   cost.total = cost.length + cost.home + cost.toll + goal_.early_weight * cost.lateness +
                goal_.most_weight * cost.most - cost.others + cost.lacking + cost.detours;
   return cost;
+}
+
+double TourJudge::TrackOf(int left, std::size_t plane) const {
+  const int layer = plane == SeenPlanes::kTop ? Footprint::kTop : 0;
+  const double swath = 2.0 * ground_.footprint().half_across(layer);
+  return std::max(0, left) * cell_m2_ / std::max(0.1, swath);
+}
+
+double TourJudge::MostToCome() const {
+  const auto track = [this](std::size_t plane) {
+    return TrackOf(planes_.unseen()[plane] - most_may_stay_[plane], plane);
+  };
+  const double bottom_weight = ground_.weights()[0];
+  return kFetchPrice * (bottom_weight * track(SeenPlanes::kBottom) +
+                        (1.0 - bottom_weight) * track(SeenPlanes::kTop));
 }
 
 TourJudge::Stage TourJudge::Rejoin(const SurveyTour& tour) {

@@ -48,8 +48,9 @@ struct TourGoal {
 /// What a tour costs, all in metres of path.
 struct TourCost {
   double length = 0.0;  ///< from the start to the finish, or to the end of the tour
-  /// From the start until most of bottom and top has been seen, or to the end: mean of the two by
-  /// the weights of their layers.
+  /// From the start until most of bottom and top has been seen: mean of the two by the weights of
+  /// their layers. Of a tour that ends before, with about what it would take on top, or none would
+  /// cost as little as not to fly at all.
   double most = 0.0;
   double lateness = 0.0;  ///< mean over the area of the path at which ground is first seen
   double home = 0.0;      ///< straight way home from there
@@ -108,6 +109,10 @@ class TourJudge {
   [[nodiscard]] bool Fly(const Pose2& from, const PathSegment& segment, TourCost& cost);
   /// Counts as much of the piece as is flown before most has been seen.
   void NoteMost(const SeenPlanes::Counts& before, double piece, TourCost& cost) const;
+  /// Useful track that `left` cells of a plane are [m].
+  [[nodiscard]] double TrackOf(int left, std::size_t plane) const;
+  /// What it would take until most has been seen, after the tour that was flown last [m].
+  [[nodiscard]] double MostToCome() const;
   [[nodiscard]] bool FlyPiece(const SweptMotion& motion, std::size_t i, TourCost& cost);
 
   const Ground& ground_;
