@@ -68,6 +68,8 @@ void HelmApp::BeginAnew(BehaviorHost::Initials posted) {
   try {
     BehaviorHost fresh(LoadBehaviorFiles(context(), params_), ClockOf(context()));
     Post(host_.Retire(StateAt(now())));
+    std::ranges::move(host_.TakeFailures(), std::back_inserter(call_failures_));
+    std::ranges::move(host_.TakeLateCalls(), std::back_inserter(call_late_));
     fresh.TakeHeard(host_);
     host_ = std::move(fresh);
   } catch (const ConfigError& error) {

@@ -256,6 +256,8 @@ std::vector<HelmPost> BehaviorHost::Retire(const VehicleState& state) {
   HelmTurn turn{.state = state, .lookup = find, .filter = filter_, .posts = posts};
   for (const auto& hosted : hosted_) {
     hosted->Retire(turn);
+    std::ranges::move(hosted->TakeFailures(), std::back_inserter(failures_));
+    std::ranges::move(hosted->TakeLateCalls(), std::back_inserter(late_calls_));
   }
   return posts;
 }

@@ -78,7 +78,7 @@ class BehaviorHost {
   /// What of behaviors has taken long since the last call, where they do not bid.
   [[nodiscard]] std::vector<OwnedWarning> TakeLateCalls() { return std::exchange(late_calls_, {}); }
   /// Ends all that run, for good; returns what they post as they go, e.g. erase what they have
-  /// drawn. REQUIRES: nothing is asked of the host after that.
+  /// drawn. REQUIRES: of the host nothing is asked after that but what has gone wrong.
   [[nodiscard]] std::vector<HelmPost> Retire(const VehicleState& state);
   /// Everything that behaviors post goes out once more, also what has not changed.
   void ForgetPosts() { filter_.Clear(); }

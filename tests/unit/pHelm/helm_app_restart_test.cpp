@@ -2,6 +2,7 @@
 // RESTART_HELM: a .bhv file that was edited is taken up without a new launch.
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,16 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Steers north, as fast as its file says, and wipes its mark off viewers as it ceases.
+/// Steers north, as fast as its file says, and wipes its mark off viewers as it ceases, if it can.
 class BHV_TestPace final : public Behavior {
  public:
   struct Params {
     double speed = 0.5;
+    bool throws_at_end = false;
     template <class V>
     void Describe(V& visit) {
       visit("speed", speed, "Its speed", InRange(0.0, 1.0));
+      visit("throws_at_end", throws_at_end, "Throws where it should wipe off its mark");
     }
   };
   explicit BHV_TestPace(const Params& params) : params_(params) {}
@@ -44,6 +47,7 @@ class BHV_TestPace final : public Behavior {
     return bid;
   }
   [[nodiscard]] std::vector<BehaviorAct> Stop(const VehicleState&) override {
+    if (params_.throws_at_end) throw std::runtime_error("its mark is lost");
     return {BehaviorPost{.variable = "VIEW_MARKER", .value = "label=pace,active=false"}};
   }
 
@@ -117,6 +121,17 @@ TEST_F(HelmRestart, TakesUpFilesThatWereEditedAndGoesOnWithWhatItHasHeard) {
 TEST_F(HelmRestart, WipesOffWhatTheFormerBehaviorsHaveDrawn) {
   Restart("type1");
   EXPECT_THAT(Posts("VIEW_MARKER"), ElementsAre("label=pace,active=false"));
+}
+
+TEST_F(HelmRestart, SaysWhoOfTheFormerBehaviorsFailedAsItCeased) {
+  Write("0.5", Block("other", "throws_at_end = true"));
+  Restart("type1");
+  Tick();
+  Write("0.8");
+  Restart("type1");
+  Tick();
+  EXPECT_EQ(link_.Last(topics::kDesiredSpeed), 0.8);
+  EXPECT_EQ(link_.Last(topics::kBehaviorError), "other: it has thrown: its mark is lost");
 }
 
 TEST_F(HelmRestart, PostsWhatEditedFilesAddForVariablesThatNobodyHasWritten) {
