@@ -18,8 +18,6 @@ constexpr double kOverlap = 1.0;  ///< of what a motion shows with what it start
 constexpr double kParallel = 1e-9;
 constexpr std::size_t kFirstRoom = 1024;  ///< of a log
 
-constexpr std::array kLayerOf{0, Footprint::kLayers - 1};
-
 /// The number of bits that are set. Inline: without the instruction, which plain x86-64 lacks,
 /// std::popcount is a call.
 int CountOf(std::uint64_t bits) {

@@ -23,6 +23,8 @@ class SeenPlanes {
  public:
   static constexpr std::size_t kBottom = 0, kTop = 1, kPlanes = 2;
   using Counts = std::array<int, kPlanes>;
+  /// Layer of the band that each plane is.
+  static constexpr std::array<int, kPlanes> kLayerOf{0, Footprint::kTop};
 
   /// Cells of a plane: bits of one of its words.
   struct Bits {

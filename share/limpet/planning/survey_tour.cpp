@@ -87,8 +87,7 @@ TourCost TourJudge::Cost(const SurveyTour& tour) {
 }
 
 double TourJudge::TrackOf(int left, std::size_t plane) const {
-  const int layer = plane == SeenPlanes::kTop ? Footprint::kTop : 0;
-  const double swath = 2.0 * ground_.footprint().half_across(layer);
+  const double swath = 2.0 * ground_.footprint().half_across(SeenPlanes::kLayerOf.at(plane));
   return std::max(0, left) * cell_m2_ / std::max(0.1, swath);
 }
 
