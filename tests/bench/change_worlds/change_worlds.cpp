@@ -5,13 +5,11 @@
 //   change_worlds fly LIMPET FOLDER FIRST LAST          flies seeds that FOLDER has no report of
 //   yet change_worlds fly_waters LIMPET FOLDER FIRST LAST   each session in water of its own
 //   change_worlds tell FOLDER FIRST LAST                figures of those that have one
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,18 +17,15 @@
 
 #include "tests/bench/change_worlds/drawn_world.hpp"
 #include "tests/bench/change_worlds/verdict_tally.hpp"
+#include "tests/bench/seeded_flights.hpp"
 
 namespace limpet {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Seeds {
-  std::uint64_t first = 1, last = 1;
-};
-
-fs::path FolderOf(const fs::path& root, std::uint64_t seed) {
-  return root / fmt::format("world{}", seed);
+fs::path WorldFolder(const fs::path& root, std::uint64_t seed) {
+  return FolderOf(root, "world", seed);
 }
 
 /// One command for both sessions; or, where each has its water, one each and then the report.
@@ -54,7 +49,7 @@ struct Fleet {
 };
 
 void FlyOne(const Fleet& fleet, std::uint64_t seed) {
-  const fs::path folder = FolderOf(fleet.root, seed);
+  const fs::path folder = WorldFolder(fleet.root, seed);
   if (fs::exists(folder / "run/report.json")) return;
   fs::remove_all(folder / "run");
   WriteDrawnWorld(seed, folder);
@@ -66,45 +61,37 @@ void FlyOne(const Fleet& fleet, std::uint64_t seed) {
   }
 }
 
-void Fly(const Fleet& fleet, Seeds seeds) {
-  std::atomic<std::uint64_t> next = seeds.first;
-  const auto work = [&] {
-    for (std::uint64_t seed = next++; seed <= seeds.last; seed = next++)
-      FlyOne(fleet, seed);
-  };
-  std::vector<std::jthread> workers;
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-    workers.emplace_back(work);
-}
-
 void Tell(const fs::path& root, Seeds seeds) {
   VerdictTally tally;
   for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
-    std::ifstream in(FolderOf(root, seed) / "run/report.json");
+    std::ifstream in(WorldFolder(root, seed) / "run/report.json");
     if (in) tally.Add(seed, nlohmann::json::parse(in));
   }
   fmt::print("{}", tally.Text());
 }
 
-std::uint64_t Number(const char* text) { return std::strtoull(text, nullptr, 10); }
+int Main(const std::vector<std::string>& args) {
+  const bool is_to_fly = args.size() == 5 && (args[0] == "fly" || args[0] == "fly_waters");
+  const bool is_to_tell = args.size() == 4 && args[0] == "tell";
+  const auto seeds = is_to_fly    ? SeedsOf(args[3], args[4])
+                     : is_to_tell ? SeedsOf(args[2], args[3])
+                                  : std::nullopt;
+  if (!seeds) {
+    fmt::print(
+        stderr,
+        "usage: change_worlds fly|fly_waters LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
+    return 2;
+  }
+  const fs::path root = is_to_fly ? args[2] : args[1];
+  if (is_to_fly) {
+    const Fleet fleet{.limpet = args[1], .root = root, .has_two_waters = args[0] == "fly_waters"};
+    EachSeedAtOnce(*seeds, [&fleet](std::uint64_t seed) { FlyOne(fleet, seed); });
+  }
+  Tell(root, *seeds);
+  return 0;
+}
 
 }  // namespace
 }  // namespace limpet
 
-int main(int argc, char** argv) {
-  const std::vector<std::string> args(argv + 1, argv + argc);
-  if (args.size() == 5 && (args[0] == "fly" || args[0] == "fly_waters")) {
-    limpet::Fly({args[1], args[2], args[0] == "fly_waters"},
-                {limpet::Number(argv[4]), limpet::Number(argv[5])});
-    limpet::Tell(args[2], {limpet::Number(argv[4]), limpet::Number(argv[5])});
-    return 0;
-  }
-  if (args.size() == 4 && args[0] == "tell") {
-    limpet::Tell(args[1], {limpet::Number(argv[3]), limpet::Number(argv[4])});
-    return 0;
-  }
-  fmt::print(
-      stderr,
-      "usage: change_worlds fly|fly_waters LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
-  return 2;
-}
+int main(int argc, char** argv) { return limpet::Main({argv + 1, argv + argc}); }

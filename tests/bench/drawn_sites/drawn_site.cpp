@@ -46,13 +46,12 @@ PlanePoint DrawStart(const Site& site, Random& random) {
   if (random.Chance(0.5)) {
     return DrawPlace(site.outline.polygon, site.zones, kRoomToStart, random);
   }
-  double far = random.Uniform(2.0, 25.0);
-  double farthest = 0.0;
+  const double beyond = random.Uniform(2.0, 25.0);
+  double reach = 0.0;  // of the area
   for (const PlanePoint& corner : site.outline.polygon.corners())
-    farthest = std::max(farthest, corner.norm());
+    reach = std::max(reach, corner.norm());
   const double course = random.Uniform(0.0, 2.0 * std::numbers::pi);
-  far += farthest;
-  return far * PlanePoint(std::cos(course), std::sin(course));
+  return (reach + beyond) * PlanePoint(std::cos(course), std::sin(course));
 }
 
 Site Draw(Random& random) {
@@ -146,8 +145,7 @@ std::string WriteDrawnSite(std::uint64_t seed, const std::filesystem::path& fold
   std::ofstream(folder / "mission.bhv") << "#include plug_survey.bhv\n";
   std::ofstream(folder / "scenario.yaml") << ScenarioText(site, random);
   return fmt::format(
-      "{} {:.0f} m2, {} zones, {:.1f} m above, band {:.1f} m, sees {:.1f} m, {:.2f} "
-      "m/s, {}",
+      "{} {:.0f} m2, {} zones, {:.1f} m above, band {:.1f} m, sees {:.1f} m, {:.2f} m/s, {}",
       site.outline.kind, site.outline.polygon.Area(), site.zones.size(), site.altitude, site.band,
       site.visibility, site.current, site.vehicle);
 }

@@ -170,9 +170,13 @@ std::vector<SimplePolygon> DrawZones(const SimplePolygon& outline, Random& rando
 
 PlanePoint DrawPlace(const SimplePolygon& outline, const std::vector<SimplePolygon>& zones,
                      double apart, Random& random) {
+  constexpr int kTries = 1000;  // then zones leave no such room, and half of it must do
   while (true) {
-    const PlanePoint place = DrawInside(outline, random);
-    if (IsApart(place, zones, apart)) return place;
+    for (int tries = 0; tries < kTries; ++tries) {
+      const PlanePoint place = DrawInside(outline, random);
+      if (IsApart(place, zones, apart)) return place;
+    }
+    apart *= 0.5;
   }
 }
 

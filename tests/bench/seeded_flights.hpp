@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What benchmarks share that fly missions drawn from seeds: a folder for each, a core for each.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limpet/core/number_text.hpp"
+
+namespace limpet {
+
+/// From the first to the last.
+struct Seeds {
+  std::uint64_t first = 1, last = 1;
+};
+
+/// Nothing unless both are whole numbers, the first no greater than the last.
+inline std::optional<Seeds> SeedsOf(std::string_view first, std::string_view last) {
+  const auto low = ParseInteger(first), high = ParseInteger(last);
+  if (!low || !high || *low < 0 || *high < *low) return std::nullopt;
+  return Seeds{static_cast<std::uint64_t>(*low), static_cast<std::uint64_t>(*high)};
+}
+
+/// Where a seed's mission is written; its run lies in `run` there.
+inline std::filesystem::path FolderOf(const std::filesystem::path& root, std::string_view what,
+                                      std::uint64_t seed) {
+  return root / fmt::format("{}{}", what, seed);
+}
+
+/// Calls visit(seed) for each, as many at a time as there are cores.
+template <class Visit>
+void EachSeedAtOnce(Seeds seeds, const Visit& visit) {
+  std::atomic<std::uint64_t> next = seeds.first;
+  const auto work = [&] {
+    for (std::uint64_t seed = next++; seed <= seeds.last; seed = next++)
+      visit(seed);
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+    workers.emplace_back(work);
+}
+
+}  // namespace limpet
