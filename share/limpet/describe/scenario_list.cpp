@@ -24,7 +24,7 @@ errors:
   camera: {pitch_deg: 2, off_m: [0.1, 0, 0], stamp_delay_s: 0.1}
   dvl:    {yaw_deg: 0.5, beam_loss_share: 0.1}
 ```
-A stamp that is too late comes with its message: nothing arrives before its stamp. Objects seen through a rolling shutter are where its rows see them; the texture of the seabed in rendered images is not. An object that moves is judged by its place in the scenario, and sound meets it there. A current that changes is one for the whole area.
+`limpet check` notes what a scenario says and no run of the mission would show: a tide without a period or a current, a gyro's drift where the vehicle has none, gravel where the camera's pictures are plain. A stamp that is too late comes with its message: nothing arrives before its stamp. Objects seen through a rolling shutter are where its rows see them; the texture of the seabed in rendered images is not. An object that moves is judged by its place in the scenario, and sound meets it there. A current that changes is one for the whole area.
 
 `obstacles:` stand up from the seabed, the same in every session, and must not be touched: `{name, shape: column, north_m, east_m, radius_m, height_m}` or `{name, shape: box, north_m, east_m, size_m: [northwards, eastwards], height_m}`, the height above the seabed below the middle. Sonar and DVL beams meet them; the camera does not show them, but sees no object behind them ([obstacles](obstacles.md)); a vehicle that is steered into one goes through, and the report says so (`obstacle_distance_m` is 0).
 ```yaml

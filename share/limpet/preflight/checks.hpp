@@ -49,6 +49,9 @@ void CheckAgreement(const MissionReading& reading, MissionProblems& found);
 [[nodiscard]] std::vector<ConfigProblem> CheckRoles(const MissionReading& reading,
                                                     MissionProblems& found);
 
+/// Notes of what scenario.yaml says that no run of the mission would show.
+void CheckScenario(const MissionReading& reading, MissionProblems& found);
+
 // Geometry, once the syntax is right.
 void CheckView(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);
 void CheckDepths(const MissionReading& reading, const SurveyFacts& survey, MissionProblems& found);

@@ -72,6 +72,21 @@ std::vector<Setting> SettingsIn(const ConfigBlock& block, const std::string& own
   return settings;
 }
 
+/// Where a section of a YAML text begins, as of `errors.fog` or `opis[2]`; npos if it has none.
+std::size_t BeginOf(std::string_view section, const std::string& text) {
+  std::size_t at = 0;
+  if (section.empty()) return at;
+  for (const std::string& part : Split(section, '.')) {
+    const std::size_t bracket = part.find('[');
+    at = text.find(part.substr(0, bracket) + ":", at);
+    if (bracket == std::string::npos) continue;
+    const auto index = ParseInteger(part.substr(bracket + 1, part.size() - bracket - 2));
+    for (std::int64_t i = 0; i <= index.value_or(0) && at != std::string::npos; ++i)
+      at = text.find("- ", at + 1);
+  }
+  return at;
+}
+
 }  // namespace
 
 void internal::RequirePlainFile(const fs::path& file) {
@@ -250,12 +265,20 @@ std::vector<Setting> MissionReading::OfBehaviors(std::string_view type,
   return settings;
 }
 
-SourceLine MissionReading::InScenario(std::string_view text) const {
+SourceLine MissionReading::InScenario(std::string_view text) const { return InScenario("", text); }
+
+SourceLine MissionReading::InScenario(std::string_view section, std::string_view text) const {
+  std::string shown;  // without comments
+  std::vector<std::size_t> ends;
   for (const TextLine& line : SplitLines(scenario_text_, scenario_file_)) {
-    const std::string shown = line.text.substr(0, line.text.find('#'));
-    if (shown.find(text) != std::string::npos) return line.where;
+    shown += line.text.substr(0, line.text.find('#')) + '\n';
+    ends.push_back(shown.size());
   }
-  return {.file = scenario_file_, .line = 0};
+  const std::size_t begin = BeginOf(section, shown);
+  const std::size_t at = begin == std::string::npos ? begin : shown.find(text, begin);
+  if (at == std::string::npos) return {.file = scenario_file_, .line = 0};
+  const auto line = std::ranges::upper_bound(ends, at) - ends.begin();
+  return {.file = scenario_file_, .line = static_cast<int>(line) + 1};
 }
 
 }  // namespace limpet

@@ -88,6 +88,9 @@ class MissionReading {
   [[nodiscard]] const std::optional<Scenario>& scenario() const { return scenario_; }
   /// The first line of scenario.yaml that has `text`, or its file alone.
   [[nodiscard]] SourceLine InScenario(std::string_view text) const;
+  /// The first line that has `text` from where a section begins on, e.g. `errors.fog` or `opis[2]`,
+  /// the third of a list; or its file alone.
+  [[nodiscard]] SourceLine InScenario(std::string_view section, std::string_view text) const;
   /// Problems of behavior files, scenario.yaml and expect.yaml.
   [[nodiscard]] const std::vector<ConfigProblem>& problems() const { return problems_; }
   /// What these files say that is ignored.

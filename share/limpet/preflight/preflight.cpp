@@ -153,6 +153,7 @@ void CheckSyntax(const MissionReading& reading, MissionProblems& found) {
   internal::CheckBehaviors(reading, found);
   if (!has_vehicle) std::erase_if(found.syntax, IsLackOfVehicle);
   internal::CheckLead(reading, found);
+  internal::CheckScenario(reading, found);
   if (reading.is_foreign()) SetMacrosAside(found);
 }
 
