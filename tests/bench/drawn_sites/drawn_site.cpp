@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -101,22 +102,45 @@ std::string MissionText(std::uint64_t seed, const Site& site) {
   return text + "#include plug_survey.moos\n";
 }
 
-std::string ObjectsText(const Site& site, Random& random) {
+std::string PlaceText(const std::optional<PlanePoint>& place, double down) {
+  return place ? fmt::format("[{:.1f}, {:.1f}, {:.2f}]", place->x(), place->y(), down) : "null";
+}
+
+/// Where an object is in the change session that is at `place` in the discovery, and the reverse.
+struct Stay {
+  std::optional<PlanePoint> before, now;
+};
+
+/// Half of the objects stay, a fifth go, a fifth come, the others are moved within the area.
+Stay DrawStay(const Site& site, const PlanePoint& place, Random& random) {
+  const double fate = random.Uniform(0.0, 1.0);
+  if (fate < 0.5) return {.before = place, .now = place};
+  if (fate < 0.7) return {.before = place, .now = std::nullopt};
+  if (fate < 0.9) return {.before = std::nullopt, .now = place};
+  const double course = random.Uniform(0.0, 2.0 * std::numbers::pi);
+  const PlanePoint moved =
+      place + random.Uniform(1.0, 2.2) * PlanePoint(std::cos(course), std::sin(course));
+  return {.before = place, .now = site.outline.polygon.Contains(moved) ? moved : place};
+}
+
+/// Objects stay where nothing is drawn from `changes`, which may be null.
+std::string ObjectsText(const Site& site, Random& random, Random* changes) {
   std::string text;
   const int count = 1 + static_cast<int>(random.Index(6));
   for (int i = 1; i <= count; ++i) {
     const PlanePoint place = DrawPlace(site.outline.polygon, site.zones, kRoomOfAnObject, random);
     const double afloat = random.Uniform(0.0, std::max(0.0, site.band - kRadius));
     const double down = site.SeabedAt(place) - kRadius - 0.1 - afloat;
-    const std::string at = fmt::format("[{:.1f}, {:.1f}, {:.2f}]", place.x(), place.y(), down);
+    const char* color = OneOf(std::array{"yellow", "orange", "green"}, random);
+    const Stay stay = changes ? DrawStay(site, place, *changes) : Stay{place, place};
     text +=
         fmt::format("  - {{name: OPI {}, color: {}, radius_m: {}, discovery: {}, change: {}}}\n", i,
-                    OneOf(std::array{"yellow", "orange", "green"}, random), kRadius, at, at);
+                    color, kRadius, PlaceText(stay.before, down), PlaceText(stay.now, down));
   }
   return text;
 }
 
-std::string ScenarioText(const Site& site, Random& random) {
+std::string ScenarioText(const Site& site, Random& random, Random* changes) {
   const auto degrees = [](double angle) { return angle * 180.0 / std::numbers::pi; };
   std::string text = fmt::format(
       "seabed:  {{depth_m: {:.1f}, slope_deg: {:.1f}, slope_toward_deg: {:.0f}, roughness_m: 0.05, "
@@ -127,7 +151,7 @@ std::string ScenarioText(const Site& site, Random& random) {
       site.visibility, site.current * std::cos(site.sets), site.current * std::sin(site.sets));
   text += fmt::format("start:   {{north_m: {:.1f}, east_m: {:.1f}, heading_deg: {:.0f}}}\nopis:\n",
                       site.start_W.x(), site.start_W.y(), random.Uniform(0.0, 360.0));
-  text += ObjectsText(site, random);
+  text += ObjectsText(site, random, changes);
   return text + fmt::format(
                     "camera:  boxes\nsensors: {{dvl_dropout_per_min: {}, dvl_outlier_share: 0, "
                     "yaw_bias_deg_per_h: 1, heading_sigma_deg: 0.5, gps_sigma_m: 0.4, "
@@ -137,13 +161,14 @@ std::string ScenarioText(const Site& site, Random& random) {
 
 }  // namespace
 
-std::string WriteDrawnSite(std::uint64_t seed, const std::filesystem::path& folder) {
-  Random random(seed, "drawn_sites");
+std::string WriteDrawnSite(std::uint64_t seed, Fates fates, const std::filesystem::path& folder) {
+  Random random(seed, "drawn_sites"), changes(seed, "what changes on a drawn site");
   const Site site = Draw(random);
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "mission.moos") << MissionText(seed, site);
   std::ofstream(folder / "mission.bhv") << "#include plug_survey.bhv\n";
-  std::ofstream(folder / "scenario.yaml") << ScenarioText(site, random);
+  std::ofstream(folder / "scenario.yaml")
+      << ScenarioText(site, random, fates == Fates::kDrawn ? &changes : nullptr);
   return fmt::format(
       "{} {:.0f} m2, {} zones, {:.1f} m above, band {:.1f} m, sees {:.1f} m, {:.2f} m/s, {}",
       site.outline.kind, site.outline.polygon.Area(), site.zones.size(), site.altitude, site.band,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How does a survey go on a site that nobody has tuned it on? Discovery sessions over areas drawn
-// at random, flown in closed loop by the command itself.
+// How does a survey go on a site that nobody has tuned it on? Sessions over areas drawn at random,
+// flown in closed loop by the command itself.
 //   drawn_sites tell FOLDER FIRST LAST         a row for each in Markdown, and what they come to
-//   drawn_sites fly LIMPET FOLDER FIRST LAST   and before flies the seeds that FOLDER has no report
-//                                              of yet, but for what `limpet check` refuses
+//   drawn_sites fly LIMPET FOLDER FIRST LAST   and before flies discoveries of the seeds that
+//                                              FOLDER has no report of yet, but for what `limpet
+//                                              check` refuses
+//   drawn_sites fly_both LIMPET FOLDER FIRST LAST   and change sessions: objects come and go
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +18,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/bench/change_worlds/verdict_tally.hpp"
 #include "tests/bench/drawn_sites/drawn_site.hpp"
 #include "tests/bench/seeded_flights.hpp"
 
@@ -28,16 +31,22 @@ fs::path SiteFolder(const fs::path& root, std::uint64_t seed) {
   return FolderOf(root, "site", seed);
 }
 
-void FlyOne(const std::string& limpet, const fs::path& root, std::uint64_t seed) {
-  const fs::path folder = SiteFolder(root, seed);
+struct Fleet {
+  std::string limpet;
+  fs::path root;
+  Fates fates = Fates::kStay;  ///< drawn: both sessions are flown
+};
+
+void FlyOne(const Fleet& fleet, std::uint64_t seed) {
+  const fs::path folder = SiteFolder(fleet.root, seed);
   if (fs::exists(folder / "run/report.json")) return;
   fs::remove_all(folder / "run");
-  const std::string what = WriteDrawnSite(seed, folder);
+  const std::string what = WriteDrawnSite(seed, fleet.fates, folder);
   std::ofstream(folder / "what") << what;
   const std::string command = fmt::format(
-      "({0} check {1} && {0} survey {1} --sessions discovery --seed {2} --out {1}/run) > {1}/log "
-      "2>&1",
-      limpet, folder.string(), seed);
+      "({0} check {1} && {0} survey {1} --sessions {3} --seed {2} --out {1}/run) > {1}/log 2>&1",
+      fleet.limpet, folder.string(), seed,
+      fleet.fates == Fates::kDrawn ? "discovery,change" : "discovery");
   const int status = std::system(command.c_str());
   if (!fs::exists(folder / "run/report.json")) {
     fmt::print(stderr, "site {}: no report (status {}), see {}/log\n", seed, status,
@@ -55,7 +64,8 @@ struct Sum {
   double worst_claim = 0.0;  ///< believed share of the band less the true one
 };
 
-void TellOne(std::uint64_t seed, const std::string& what, const nlohmann::json& session, Sum& sum) {
+void TellOne(const std::string& name, const std::string& what, const nlohmann::json& session,
+             Sum& sum) {
   const double way = session.at("path_m"), survey = session.at("survey_path_m");
   const double band = session.at("detected_band");
   const double outside = session.at("outside_region_m"), in_zone = session.at("inside_zone_m");
@@ -66,7 +76,7 @@ void TellOne(std::uint64_t seed, const std::string& what, const nlohmann::json& 
   const double lanes_m = lanes.is_null() ? 0.0 : lanes.at("path_m").get<double>();
   fmt::print(
       "| {} | {} | {} | {:.0f} | {:.0f} | {:.0f} | {:.3f} | {:+.3f} | {} | {:.2f} | {:.2f} |\n",
-      seed, what, ended, way, survey, lanes_m, band, claim - band, missed, outside, in_zone);
+      name, what, ended, way, survey, lanes_m, band, claim - band, missed, outside, in_zone);
   ++sum.flown;
   sum.home += ended == "home" ? 1 : 0;
   sum.safe += outside < 0.5 && in_zone == 0.0 ? 1 : 0;
@@ -78,7 +88,8 @@ void TellOne(std::uint64_t seed, const std::string& what, const nlohmann::json& 
 }
 
 constexpr const char* kHead =
-    "| seed | site | ended | way [m] | of the survey [m] | reckoned lanes [m] | band seen | "
+    "| seed, session | site | ended | way [m] | of the survey [m] | reckoned lanes [m] | band seen "
+    "| "
     "claimed "
     "more by | missed | left the region by [m] | in a zone by [m] |\n"
     "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
@@ -97,32 +108,44 @@ void Print(const Sum& sum) {
 void Tell(const fs::path& root, Seeds seeds) {
   fmt::print("{}", kHead);
   Sum sum;
+  VerdictTally tally;
+  bool has_changes = false;
   for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
     const fs::path folder = SiteFolder(root, seed);
     std::ifstream report(folder / "run/report.json");
     if (!report) continue;
     std::string what;
     std::getline(std::ifstream(folder / "what"), what);
-    TellOne(seed, what, nlohmann::json::parse(report).at("sessions").at("discovery"), sum);
+    const nlohmann::json flown = nlohmann::json::parse(report);
+    for (const char* session : {"discovery", "change"}) {
+      if (!flown.at("sessions").contains(session)) continue;
+      TellOne(fmt::format("{}, {}", seed, session), what, flown.at("sessions").at(session), sum);
+    }
+    has_changes = has_changes || flown.at("sessions").contains("change");
+    tally.Add(seed, flown);
   }
   Print(sum);
+  if (has_changes) fmt::print("\n{}", tally.Text());
 }
 
 int Main(const std::vector<std::string>& args) {
-  const bool is_to_fly = args.size() == 5 && args[0] == "fly";
+  const bool is_to_fly = args.size() == 5 && (args[0] == "fly" || args[0] == "fly_both");
   const bool is_to_tell = args.size() == 4 && args[0] == "tell";
   const auto seeds = is_to_fly    ? SeedsOf(args[3], args[4])
                      : is_to_tell ? SeedsOf(args[2], args[3])
                                   : std::nullopt;
   if (!seeds) {
-    fmt::print(stderr,
-               "usage: drawn_sites fly LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
+    fmt::print(
+        stderr,
+        "usage: drawn_sites fly|fly_both LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
     return 2;
   }
   const fs::path root = is_to_fly ? args[2] : args[1];
   if (is_to_fly) {
-    const std::string limpet = fs::absolute(args[1]).string();
-    EachSeedAtOnce(*seeds, [&](std::uint64_t seed) { FlyOne(limpet, root, seed); });
+    const Fleet fleet{.limpet = fs::absolute(args[1]).string(),
+                      .root = root,
+                      .fates = args[0] == "fly_both" ? Fates::kDrawn : Fates::kStay};
+    EachSeedAtOnce(*seeds, [&fleet](std::uint64_t seed) { FlyOne(fleet, seed); });
   }
   Tell(root, *seeds);
   return 0;
