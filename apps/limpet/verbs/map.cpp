@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/limpet/verbs/map.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -36,6 +37,7 @@ constexpr const char* kSessionWords =
 /// one, stands beside it, its name with `suffix` before the extension.
 struct MapFile {
   std::string main;
+  std::string holds;  ///< of the main one, in words, e.g. `4 objects`
   std::string suffix{}, second{};
 };
 using MakeFile = MapFile (*)(const SavedSession&, const SemanticOctree&);
@@ -45,6 +47,22 @@ struct Format {
   MakeFile make;
 };
 
+std::string ObjectsHeld(const SavedSession& session) {
+  return fmt::format("{} objects", session.memory.objects.opis.size());
+}
+
+/// `render` gives the file's text.
+template <class Render>
+MapFile MakeVoxels(const SavedSession& session, const SemanticOctree& octree,
+                   const Render& render) {
+  const OccupiedMap occupied = OccupiedOf(octree);
+  return {.main = render(occupied),
+          .holds = session.memory.map.empty()
+                       ? std::string("the session kept no voxels")
+                       : fmt::format("{} voxels of {:g} m", occupied.voxels.size(),
+                                     occupied.resolution)};
+}
+
 MapFile MakeGeoJson(const SavedSession& session, const SemanticOctree&) {
   const std::optional<GeoPoint> datum = DatumOf(session.facts);
   if (!datum) {
@@ -53,7 +71,7 @@ MapFile MakeGeoJson(const SavedSession& session, const SemanticOctree&) {
                     "on earth its objects are; csv has them in metres",
                     session.folder.string()));
   }
-  return {.main = ObjectsToGeoJson(session, *datum)};
+  return {.main = ObjectsToGeoJson(session, *datum), .holds = ObjectsHeld(session)};
 }
 
 /// Throws ConfigError.
@@ -69,24 +87,28 @@ MapFile MakeDepths(const SavedSession& session, const SemanticOctree&) {
   for (float& sigma : sigma_m) {
     sigma = std::hypot(sigma, static_cast<float>(grid->zero_sigma_m));
   }
+  const auto known = std::ranges::count_if(
+      grid->down_m, [](float down_m) { return !std::isnan(down_m); });
   return {.main = ToAsciiGrid(*grid, grid->down_m),
+          .holds = fmt::format("{} x {} cells of {:g} m, {} of them with a depth",
+                               grid->frame.rows, grid->frame.columns, grid->frame.cell_m, known),
           .suffix = "_sigma",
           .second = ToAsciiGrid(*grid, sigma_m)};
 }
 
 constexpr std::array<Format, 5> kFormats{
     Format{"ot", "occupied voxels as a ColorOcTree, which octovis opens",
-           [](const SavedSession&, const SemanticOctree& octree) {
-             return MapFile{.main = ToColorOctree(OccupiedOf(octree))};
+           [](const SavedSession& session, const SemanticOctree& octree) {
+             return MakeVoxels(session, octree, ToColorOctree);
            }},
     Format{"ply", "occupied voxels as coloured points",
-           [](const SavedSession&, const SemanticOctree& octree) {
-             return MapFile{.main = ToPly(OccupiedOf(octree))};
+           [](const SavedSession& session, const SemanticOctree& octree) {
+             return MakeVoxels(session, octree, ToPly);
            }},
     Format{"geojson", "objects and the survey area on WGS84", MakeGeoJson},
     Format{"csv", "objects as a table",
            [](const SavedSession& session, const SemanticOctree&) {
-             return MapFile{.main = ObjectsToCsv(session)};
+             return MapFile{.main = ObjectsToCsv(session), .holds = ObjectsHeld(session)};
            }},
     Format{"asc", "depth of the seabed as an Esri ASCII grid; its sigma in a second one",
            MakeDepths}};
@@ -174,11 +196,10 @@ void WriteFormat(const Arguments& given, const SavedSession& session,
     CommandOutput beside(second.string(), given.Has("force"), input);
     beside.Write(made.second);
     beside.Commit();
-    fmt::print("{}: sigma\n", second.string());
+    fmt::print("{}: their sigma\n", second.string());
   }
   output.Commit();
-  fmt::print("{}: {} objects{}\n", output.path().string(), session.memory.objects.opis.size(),
-             session.memory.map.empty() ? "; the session kept no voxels" : "");
+  fmt::print("{}: {}\n", output.path().string(), made.holds);
 }
 
 /// Throws ConfigError, Refusal, UsageError.

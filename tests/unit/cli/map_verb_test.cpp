@@ -116,6 +116,19 @@ TEST_F(MapVerbTest, WritesEveryFormatThatItNames) {
   EXPECT_THAT(*ReadWhole(out("map.csv")), HasSubstr("\n12,yellow,"));
 }
 
+TEST_F(MapVerbTest, TellsWhatTheFileHoldsThatItWrote) {
+  Save(OneVoxel());
+  const auto told = [this](const std::string& format) {
+    const std::string file = (folder_.path() / ("held." + format)).string();
+    EXPECT_EQ(Run({"export", session_, "--format", format, "--out", file}), kOk) << err_;
+    return out_;
+  };
+  EXPECT_THAT(told("ot"), HasSubstr("held.ot: 1 voxels of 0.2 m\n"));
+  EXPECT_THAT(told("ply"), HasSubstr("held.ply: 1 voxels of 0.2 m\n"));
+  EXPECT_THAT(told("csv"), HasSubstr("held.csv: 1 objects\n"));
+  EXPECT_THAT(told("asc"), HasSubstr("held.asc: 1 x 1 cells of 0.2 m, 1 of them with a depth\n"));
+}
+
 TEST_F(MapVerbTest, OctovisReadsItsColourOctree) {
   Save(OneVoxel());
   const std::string file = (folder_.path() / "map.ot").string();
