@@ -87,11 +87,11 @@ MapFile MakeDepths(const SavedSession& session, const SemanticOctree&) {
   for (float& sigma : sigma_m) {
     sigma = std::hypot(sigma, static_cast<float>(grid->zero_sigma_m));
   }
-  const auto known = std::ranges::count_if(
-      grid->down_m, [](float down_m) { return !std::isnan(down_m); });
+  const auto known =
+      std::ranges::count_if(grid->down_m, [](float down_m) { return !std::isnan(down_m); });
   return {.main = ToAsciiGrid(*grid, grid->down_m),
-          .holds = fmt::format("{} x {} cells of {:g} m, {} of them with a depth",
-                               grid->frame.rows, grid->frame.columns, grid->frame.cell_m, known),
+          .holds = fmt::format("{} x {} cells of {:g} m, {} of them with a depth", grid->frame.rows,
+                               grid->frame.columns, grid->frame.cell_m, known),
           .suffix = "_sigma",
           .second = ToAsciiGrid(*grid, sigma_m)};
 }

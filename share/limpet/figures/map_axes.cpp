@@ -118,6 +118,12 @@ void MapAxes::BeginMap() {
 
 void MapAxes::EndMap() { canvas_.EndClip(); }
 
+void MapAxes::ContinueLegendAt(double y) {
+  constexpr double kBelow = 12.0;  // [px]
+  legend_y_ = y;
+  canvas_.GrowTo(legend_y_ + kBelow);
+}
+
 void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol,
                      const std::string& text) {
   const double x = At({0.0, east_max_}).x() + kMapGap;
@@ -130,7 +136,7 @@ void MapAxes::Legend(const std::function<void(SvgCanvas&, const Point&)>& symbol
     y += 15.0;
     begin = end + 1;
   }
-  legend_y_ = y - 2.0 + 6.0 - 10.0 + 4.0;
+  ContinueLegendAt(y - 2.0);
 }
 
 void MapAxes::LegendHeading(const std::string& text) {
@@ -138,7 +144,7 @@ void MapAxes::LegendHeading(const std::string& text) {
   legend_y_ += legend_y_ > kMapTop + 6.0 ? 14.0 : 0.0;
   canvas_.Text({x, legend_y_ + 8.0}, text,
                {.size = 12.0, .fill = palette::kMuted, .is_bold = true});
-  legend_y_ += 20.0;
+  ContinueLegendAt(legend_y_ + 20.0);
 }
 
 void MapAxes::ColorBar(const std::function<palette::Rgb(double)>& color, const std::string& low,
@@ -154,7 +160,7 @@ void MapAxes::ColorBar(const std::function<palette::Rgb(double)>& color, const s
   canvas_.Image({x, legend_y_}, {kWidth, kHeight}, Base64(EncodePng(bar)));
   canvas_.Text({x + kWidth + 9.0, legend_y_ + 9.0}, high);
   canvas_.Text({x + kWidth + 9.0, legend_y_ + kHeight}, low);
-  legend_y_ += kHeight + 8.0;
+  ContinueLegendAt(legend_y_ + kHeight + 8.0);
 }
 
 }  // namespace limpet

@@ -17,8 +17,8 @@ namespace limpet {
 /// is room for a legend.
 class MapAxes {
  public:
-  /// The frame covers `area` and its margin. `title` says what one sees, `subtitle` how it was
-  /// made.
+  /// The frame covers the box around `area` and its margin. `title` says what one sees, `subtitle`
+  /// how it was made.
   MapAxes(const SurveyArea& area, const std::string& title, const std::string& subtitle);
 
   [[nodiscard]] SvgCanvas::Point At(const Eigen::Vector2d& p_W) const;
@@ -49,6 +49,9 @@ class MapAxes {
 
  private:
   void DrawFrame(const std::string& title, const std::string& subtitle);
+  /// The next line of the legend begins there; the picture grows with a legend longer than the map
+  /// is high.
+  void ContinueLegendAt(double y);
   double north_min_, north_max_, east_min_, east_max_;
   double scale_;
   SvgCanvas canvas_;

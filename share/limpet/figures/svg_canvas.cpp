@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/figures/svg_canvas.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -141,6 +142,8 @@ void SvgCanvas::BeginClip(const Point& corner, const Point& size) {
 }
 
 void SvgCanvas::EndClip() { Append("</g>\n"); }
+
+void SvgCanvas::GrowTo(double height) { height_ = std::max(height_, height); }
 
 std::string SvgCanvas::Finish() const {
   return fmt::format(

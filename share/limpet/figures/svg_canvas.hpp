@@ -52,6 +52,9 @@ class SvgCanvas {
   void BeginClip(const Point& corner, const Point& size);
   void EndClip();
 
+  /// Makes the picture so high at least.
+  void GrowTo(double height);
+
   /// The finished document.
   [[nodiscard]] std::string Finish() const;
   [[nodiscard]] double width() const { return width_; }

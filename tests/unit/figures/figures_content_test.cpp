@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
@@ -104,6 +105,39 @@ TEST(EveryFigure, KeepsItsTextsInsideItsPicture) {
       EXPECT_GE(element.Number("y"), 0.0) << figure.file << ": " << element.text;
       EXPECT_LE(element.Number("y"), height) << figure.file << ": " << element.text;
     }
+  }
+}
+
+/// The corners of the box around all that a path draws.
+std::array<SvgCanvas::Point, 2> BoxOfPath(const std::string& data) {
+  std::array<SvgCanvas::Point, 2> box{SvgCanvas::Point::Constant(1e9),
+                                      SvgCanvas::Point::Constant(-1e9)};
+  for (const char* at = data.c_str(); *at != '\0';) {
+    char* end = nullptr;
+    const double x = std::strtod(at + 1, &end), y = std::strtod(end, &end);
+    box = {box[0].cwiseMin(SvgCanvas::Point(x, y)), box[1].cwiseMax(SvgCanvas::Point(x, y))};
+    at = end;
+  }
+  return box;
+}
+
+TEST(TrackFigure, ShowsAllOfTheWayAndItsLegendAlthoughTheAreaIsNarrowAndFarOff) {
+  SessionRecord record = Drawn().record;
+  record.area = SurveyArea{.north_min = 20.0, .north_max = 24.0, .east_min = 0.0, .east_max = 90.0};
+  const Figure figure = TrackFigure({record, Drawn().score, Drawn().settings, Drawn().scenario});
+  const std::vector<SvgElement> elements = ReadSvg(figure.svg);
+  const auto clip = std::ranges::find(elements, "clipPath", &SvgElement::name) + 1;
+  ASSERT_EQ(clip->name, "rect");
+  const auto track = std::ranges::find(elements, "path", &SvgElement::name);
+  ASSERT_NE(track, elements.end());
+  const auto [low, high] = BoxOfPath(track->attributes.at("d"));
+  EXPECT_GE(low.x(), clip->Number("x"));
+  EXPECT_GE(low.y(), clip->Number("y"));
+  EXPECT_LE(high.x(), clip->Number("x") + clip->Number("width"));
+  EXPECT_LE(high.y(), clip->Number("y") + clip->Number("height"));
+  for (const SvgElement& element : elements) {
+    if (element.name != "text") continue;
+    EXPECT_LE(element.Number("y"), elements.at(0).Number("height")) << element.text;
   }
 }
 
