@@ -13,14 +13,16 @@
 #include <opencv2/imgproc.hpp>
 
 #include "limpet/core/statistics.hpp"
+#include "limpet/map_files/depth_field.hpp"
 
 namespace limpet {
 namespace {
 
 /// A single column is no change of the ground: beams scatter.
 constexpr int kLeastCells = 3;
-/// Neighbours share pings and the vehicle's own errors: so many of them are worth one.
-constexpr double kSharedCells = 4.0;
+/// Neighbours share pings, the vehicle's own errors and the columns that depths beside them are
+/// taken from: so many of them are worth one.
+constexpr double kSharedCells = 8.0;
 /// Sigmas of a patch as a whole; a map has thousands of places where one might be.
 constexpr double kCertain = 6.0;
 
@@ -30,21 +32,21 @@ struct Compared {
 };
 
 Compared Compare(const DepthGrid& a, const DepthGrid& b, const FrameOffset& offset) {
+  const DepthField field_a(a), field_b(b);
   constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
   Compared compared{.off_m = std::vector<double>(b.down_m.size(), kNoNumber),
                     .sigma_m = std::vector<double>(b.down_m.size(), kNoNumber)};
   for (int row = 0; row < b.frame.rows; ++row) {
     for (int column = 0; column < b.frame.columns; ++column) {
       const std::size_t cell = b.Index(row, column);
-      if (!b.IsKnown(cell)) continue;
-      const Eigen::Vector3d p_A =
-          offset.Undo({b.frame.north_min + (row + 0.5) * b.frame.cell_m,
-                       b.frame.east_min + (column + 0.5) * b.frame.cell_m, 0.0});
-      if (const auto of_a = a.At(p_A.head<2>())) {
-        compared.off_m[cell] = static_cast<double>(b.down_m[cell] - a.down_m[*of_a]);
-        compared.sigma_m[cell] =
-            std::hypot(static_cast<double>(b.sigma_m[cell]), static_cast<double>(a.sigma_m[*of_a]));
-      }
+      const Eigen::Vector2d p_B(b.frame.north_min + (row + 0.5) * b.frame.cell_m,
+                                b.frame.east_min + (column + 0.5) * b.frame.cell_m);
+      const Eigen::Vector2d p_A = offset.Undo({p_B.x(), p_B.y(), 0.0}).head<2>();
+      if (!b.IsKnown(cell) && !a.At(p_A)) continue;  // nobody has measured there
+      const auto of_a = field_a.At(p_A), of_b = field_b.At(p_B);
+      if (!of_a || !of_b) continue;
+      compared.off_m[cell] = of_b->down_m - of_a->down_m;
+      compared.sigma_m[cell] = std::hypot(of_b->sigma_m, of_a->sigma_m);
     }
   }
   return compared;
@@ -71,9 +73,9 @@ double UsualSize(const std::vector<double>& values) {
   return UpperMedian(std::move(sizes)) / kOfNormal;
 }
 
-/// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
-void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std::vector<double>& z,
-                double sign, std::vector<DepthChange>& changes) {
+/// The columns that are significantly deeper (sign 1), or shallower (-1), as a picture of 0 and
+/// 255.
+cv::Mat SignificantOf(const DepthGrid& b, const std::vector<double>& z, double sign) {
   cv::Mat mask(b.frame.rows, b.frame.columns, CV_8U, cv::Scalar(0));
   for (int row = 0; row < b.frame.rows; ++row) {
     for (int column = 0; column < b.frame.columns; ++column) {
@@ -81,29 +83,59 @@ void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std
       mask.at<std::uint8_t>(row, column) = here > DepthDifference::kSignificant ? 255 : 0;
     }
   }
-  cv::Mat labels, stats, middles;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, middles, 8);
-  std::vector<DepthChange> found(static_cast<std::size_t>(count));
-  std::vector<double> sum_z(found.size(), 0.0);
+  return mask;
+}
+
+/// With the ground between them that nobody has measured, up to two columns wide: what lies on both
+/// sides of it is one patch.
+cv::Mat JoinedOverGaps(const DepthGrid& b, const std::vector<double>& z, const cv::Mat& mask) {
+  cv::Mat joined;
+  cv::morphologyEx(mask, joined, cv::MORPH_CLOSE, cv::Mat::ones(3, 3, CV_8U));
   for (int row = 0; row < b.frame.rows; ++row) {
     for (int column = 0; column < b.frame.columns; ++column) {
-      const int label = labels.at<int>(row, column);
-      const std::size_t cell = b.Index(row, column);
-      if (label == 0) continue;
-      DepthChange& change = found[static_cast<std::size_t>(label)];
-      change.mean_m += left_m[cell] / stats.at<int>(label, cv::CC_STAT_AREA);
-      sum_z[static_cast<std::size_t>(label)] += std::abs(z[cell]);
-      change.z = std::abs(z[cell]) > std::abs(change.z) ? z[cell] : change.z;
+      const bool is_compared = !std::isnan(z[b.Index(row, column)]);
+      if (is_compared) joined.at<std::uint8_t>(row, column) = mask.at<std::uint8_t>(row, column);
     }
   }
-  for (int label = 1; label < count; ++label) {
-    const int cells = stats.at<int>(label, cv::CC_STAT_AREA);
-    const double whole_z = sum_z[static_cast<std::size_t>(label)] / std::sqrt(kSharedCells * cells);
-    if (cells < kLeastCells || whole_z < kCertain) continue;
-    DepthChange& change = found[static_cast<std::size_t>(label)];
+  return joined;
+}
+
+/// A patch, and the columns of it that were compared.
+struct Patch {
+  DepthChange change;
+  int cells = 0;
+  double sum_m = 0.0, sum_z = 0.0;
+};
+
+/// Columns side by side that are significantly deeper (sign 1), or shallower (-1).
+void AddChanges(const DepthGrid& b, const std::vector<double>& left_m, const std::vector<double>& z,
+                double sign, std::vector<DepthChange>& changes) {
+  const cv::Mat joined = JoinedOverGaps(b, z, SignificantOf(b, z, sign));
+  cv::Mat labels, stats, middles;
+  const int count = cv::connectedComponentsWithStats(joined, labels, stats, middles, 8);
+  std::vector<Patch> patches(static_cast<std::size_t>(count));
+  for (int row = 0; row < b.frame.rows; ++row) {
+    for (int column = 0; column < b.frame.columns; ++column) {
+      const std::size_t cell = b.Index(row, column);
+      Patch& patch = patches[static_cast<std::size_t>(labels.at<int>(row, column))];
+      if (std::isnan(z[cell])) continue;
+      ++patch.cells;
+      patch.sum_m += left_m[cell];
+      patch.sum_z += std::abs(z[cell]);
+      if (std::abs(z[cell]) > std::abs(patch.change.z)) patch.change.z = z[cell];
+    }
+  }
+  for (int label = 1; label < count; ++label) {  // 0 is all the rest
+    const Patch& patch = patches[static_cast<std::size_t>(label)];
+    if (patch.cells < kLeastCells ||
+        patch.sum_z < kCertain * std::sqrt(kSharedCells * patch.cells)) {
+      continue;
+    }
+    DepthChange change = patch.change;
+    change.mean_m = patch.sum_m / patch.cells;
     change.north = b.frame.north_min + (middles.at<double>(label, 1) + 0.5) * b.frame.cell_m;
     change.east = b.frame.east_min + (middles.at<double>(label, 0) + 0.5) * b.frame.cell_m;
-    change.area_m2 = cells * b.frame.cell_m * b.frame.cell_m;
+    change.area_m2 = stats.at<int>(label, cv::CC_STAT_AREA) * b.frame.cell_m * b.frame.cell_m;
     changes.push_back(change);
   }
 }

@@ -44,7 +44,7 @@ TEST(MapDiff, SaysHowManyColumnsEitherKnows) {
   const DepthDifference difference = Difference(part, GridOf(Flat), {});
   EXPECT_EQ(difference.cells_a, 1000U);
   EXPECT_EQ(difference.cells_b, 3600U);
-  EXPECT_EQ(difference.cells, 1000U);
+  EXPECT_EQ(difference.cells, 1000U + 121U) << "and what lies within 0.6 m of those";
 }
 
 TEST(MapDiff, TheTideIsNoChange) {
@@ -99,6 +99,32 @@ TEST(MapDiff, TenBeamsAColumnTellTenCentimetres) {
     EXPECT_LT(std::hypot(deeper.changes[0].north, deeper.changes[0].east), 0.1);
     EXPECT_TRUE(Difference(SurveyedGrid(1, seed, 0.0), SurveyedGrid(1, seed + 20, 0.05), {})
                     .changes.empty());
+  }
+}
+
+/// `grid` as one session knows it whose beams met every third line of columns, from `first` on.
+DepthGrid EveryThirdLine(DepthGrid grid, int first) {
+  for (int row = 0; row < grid.frame.rows; ++row) {
+    if (row % 3 == first) continue;
+    for (int column = 0; column < grid.frame.columns; ++column)
+      grid.down_m[grid.Index(row, column)] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return grid;
+}
+
+TEST(MapDiff, ComparesColumnsWithThoseBesideThemWhereBeamsMetOtherOnes) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const DepthGrid before = EveryThirdLine(SurveyedGrid(10, seed, 0.0), 0);
+    const DepthGrid same = EveryThirdLine(SurveyedGrid(10, seed + 10, 0.0), 1);
+    const DepthDifference unchanged = Difference(before, same, {});
+    EXPECT_EQ(unchanged.cells, unchanged.cells_a + unchanged.cells_b);
+    EXPECT_TRUE(unchanged.changes.empty());
+    EXPECT_LT(unchanged.sigma_scale, 1.3);
+    const DepthGrid dug = EveryThirdLine(SurveyedGrid(10, seed + 20, 0.2), 1);
+    const DepthDifference deeper = Difference(before, dug, {});
+    ASSERT_EQ(deeper.changes.size(), 1U);
+    EXPECT_LT(std::hypot(deeper.changes[0].north, deeper.changes[0].east), 0.2);
+    EXPECT_NEAR(deeper.changes[0].mean_m, 0.17, 0.04);
   }
 }
 
