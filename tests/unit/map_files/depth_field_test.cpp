@@ -36,8 +36,8 @@ class Ground {
     for (int i = 0; i < kWaves; ++i) {
       const double course = random.Uniform(0.0, 2.0 * std::numbers::pi);
       const double number = 2.0 * std::numbers::pi / random.Uniform(0.8, 6.0);
-      waves_.push_back({number * std::cos(course), number * std::sin(course),
-                        random.Uniform(0.0, 2.0 * std::numbers::pi)});
+      waves_.emplace_back(number * std::cos(course), number * std::sin(course),
+                          random.Uniform(0.0, 2.0 * std::numbers::pi));
     }
     height_m_ = rough_m * std::sqrt(2.0 / kWaves);
   }
