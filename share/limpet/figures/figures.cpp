@@ -16,8 +16,10 @@ std::string RunName(const FigureSource& source) {
 
 SurveyArea AreaOf(const SessionRecord& record) {
   if (record.area) return *record.area;
-  SurveyArea area;
-  const PoseTrack& track = record.truth.empty() ? record.nav : record.truth;
+  return WidenedTo(record.truth.empty() ? record.nav : record.truth, {});
+}
+
+SurveyArea WidenedTo(const PoseTrack& track, SurveyArea area) {
   for (std::size_t i = 0; i < track.size(); ++i) {
     area.north_min = std::min(area.north_min, track.north(i));
     area.north_max = std::max(area.north_max, track.north(i));

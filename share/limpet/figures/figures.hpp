@@ -48,6 +48,8 @@ struct FigureSource {
 [[nodiscard]] std::string RunName(const FigureSource& source);
 /// The area drawn: the survey's, or around the track when it was never told.
 [[nodiscard]] SurveyArea AreaOf(const SessionRecord& record);
+/// The area with its box widened to hold all of a track.
+[[nodiscard]] SurveyArea WidenedTo(const PoseTrack& track, SurveyArea area);
 /// The way that figures draw and measure along: the true one, or else the estimated.
 [[nodiscard]] const PoseTrack& WayOf(const FigureSource& source);
 /// MOOS time at which the survey, or else that way, begins [s].

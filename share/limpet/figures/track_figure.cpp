@@ -207,17 +207,6 @@ void DrawTracks(MapAxes& map, const FigureSource& source) {
   DrawDirection(map, WayOf(source));
 }
 
-/// The area's box, widened to all of the way: start and home may lie far outside.
-SurveyArea WidenedTo(const PoseTrack& way, SurveyArea area) {
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    area.north_min = std::min(area.north_min, way.north(i));
-    area.north_max = std::max(area.north_max, way.north(i));
-    area.east_min = std::min(area.east_min, way.east(i));
-    area.east_max = std::max(area.east_max, way.east(i));
-  }
-  return area;
-}
-
 }  // namespace
 
 Figure TrackFigure(const FigureSource& source) {
@@ -225,7 +214,7 @@ Figure TrackFigure(const FigureSource& source) {
   const auto footprint = source.settings.footprint_m();
   const SurveyArea area = AreaOf(record);
   MapAxes map(
-      WidenedTo(WayOf(source), area),
+      WidenedTo(WayOf(source), area),  // start and home may lie far outside
       fmt::format("Where it went and what it chose: {} m of way", std::lround(source.score.path_m)),
       fmt::format("{} \u00b7 image {:.2f} \u00d7 {:.2f} m on the bottom", RunName(source),
                   footprint[0], footprint[1]));
