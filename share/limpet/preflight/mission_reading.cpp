@@ -76,9 +76,12 @@ std::vector<Setting> SettingsIn(const ConfigBlock& block, const std::string& own
 std::size_t BeginOf(std::string_view section, const std::string& text) {
   std::size_t at = 0;
   if (section.empty()) return at;
+  bool is_first = true;  // one of the document, and not one of that name in another
   for (const std::string& part : Split(section, '.')) {
     const std::size_t bracket = part.find('[');
-    at = text.find(part.substr(0, bracket) + ":", at);
+    const std::string name = part.substr(0, bracket) + ":";
+    at = is_first && !text.starts_with(name) ? text.find("\n" + name) : text.find(name, at);
+    is_first = false;
     if (bracket == std::string::npos) continue;
     const auto index = ParseInteger(part.substr(bracket + 1, part.size() - bracket - 2));
     for (std::int64_t i = 0; i <= index.value_or(0) && at != std::string::npos; ++i)

@@ -58,8 +58,10 @@ struct SaidSection {
     }
     return others;
   }
-  [[nodiscard]] const ParamSpec& Unsaid(std::string_view key) const {
-    return *std::ranges::find(unsaid, key, &ParamSpec::name);
+  /// A key's default; empty if the section has no such key.
+  [[nodiscard]] std::string DefaultOf(std::string_view key) const {
+    const auto spec = std::ranges::find(unsaid, key, &ParamSpec::name);
+    return spec == unsaid.end() ? "" : spec->default_text;
   }
 };
 
@@ -122,7 +124,8 @@ std::string WhyIdle(const SaidSection& section, const std::string& key,
       std::ranges::count(others, dependence->on, &ParamSpec::name) > 0) {
     return "";
   }
-  return fmt::format("{} is {}", dependence->on, section.Unsaid(dependence->on).default_text);
+  const std::string idle = section.DefaultOf(dependence->on);
+  return idle.empty() ? "" : fmt::format("{} is {}", dependence->on, idle);
 }
 
 void NoteSection(const SaidSection& section, const MissionReading& reading,

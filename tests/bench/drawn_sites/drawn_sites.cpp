@@ -129,25 +129,20 @@ void Tell(const fs::path& root, Seeds seeds) {
 }
 
 int Main(const std::vector<std::string>& args) {
-  const bool is_to_fly = args.size() == 5 && (args[0] == "fly" || args[0] == "fly_both");
-  const bool is_to_tell = args.size() == 4 && args[0] == "tell";
-  const auto seeds = is_to_fly    ? SeedsOf(args[3], args[4])
-                     : is_to_tell ? SeedsOf(args[2], args[3])
-                                  : std::nullopt;
-  if (!seeds) {
-    fmt::print(
-        stderr,
-        "usage: drawn_sites fly|fly_both LIMPET FOLDER FIRST LAST | tell FOLDER FIRST LAST\n");
+  const auto command = FlightCommandOf(args, {"fly", "fly_both"});
+  if (!command) {
+    fmt::print(stderr,
+               "usage: drawn_sites fly|fly_both LIMPET FOLDER FIRST LAST | tell FOLDER FIRST "
+               "LAST\n");
     return 2;
   }
-  const fs::path root = is_to_fly ? args[2] : args[1];
-  if (is_to_fly) {
-    const Fleet fleet{.limpet = fs::absolute(args[1]).string(),
-                      .root = root,
-                      .fates = args[0] == "fly_both" ? Fates::kDrawn : Fates::kStay};
-    EachSeedAtOnce(*seeds, [&fleet](std::uint64_t seed) { FlyOne(fleet, seed); });
+  if (command->verb != "tell") {
+    const Fleet fleet{.limpet = command->limpet,
+                      .root = command->root,
+                      .fates = command->verb == "fly_both" ? Fates::kDrawn : Fates::kStay};
+    EachSeedAtOnce(command->seeds, [&fleet](std::uint64_t seed) { FlyOne(fleet, seed); });
   }
-  Tell(root, *seeds);
+  Tell(command->root, command->seeds);
   return 0;
 }
 
