@@ -15,7 +15,7 @@
 namespace limpet {
 namespace {
 
-constexpr std::string_view kMarks = "_-[]()#@+?";  // besides letters and digits, in names
+constexpr std::string_view kNameMarks = "_-[]()#@+?";  // besides letters and digits, in names
 
 /// First word without case, and the rest.
 bool TakesKeyword(std::string_view text, std::string_view keyword, std::string_view& rest) {
@@ -240,11 +240,11 @@ class BehaviorParser {
       const SourceLine& where = entry != nullptr ? entry->where : block.where;
       const bool is_allowed = std::ranges::all_of(name, [](char letter) {
         return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
-               kMarks.find(letter) != std::string_view::npos;
+               kNameMarks.find(letter) != std::string_view::npos;
       });
       if (!is_allowed) {
         Complain(where, "name",
-                 fmt::format("`{}` is not allowed; allowed: letters, digits and {}", name, kMarks));
+                 fmt::format("`{}` is not allowed; allowed: letters, digits and {}", name, kNameMarks));
       }
       if (std::ranges::find(names, name) != names.end()) {
         Complain(where, "name", fmt::format("`{}` is the name of two behaviors", name));
