@@ -243,8 +243,9 @@ class BehaviorParser {
                kNameMarks.find(letter) != std::string_view::npos;
       });
       if (!is_allowed) {
-        Complain(where, "name",
-                 fmt::format("`{}` is not allowed; allowed: letters, digits and {}", name, kNameMarks));
+        Complain(
+            where, "name",
+            fmt::format("`{}` is not allowed; allowed: letters, digits and {}", name, kNameMarks));
       }
       if (std::ranges::find(names, name) != names.end()) {
         Complain(where, "name", fmt::format("`{}` is the name of two behaviors", name));

@@ -16,10 +16,10 @@
 namespace limpet {
 namespace {
 
-constexpr int kLeastSide = 64;   // [px]
-constexpr int kAcross = 40;      // pixels across the small picture in which contrast is taken
-constexpr double kCoarse = 1.5;  // of those: slower changes are light and lens, not ground
-constexpr int kBorder = 2;       // of those: at the border nothing is known of what is slow
+constexpr int kLeastSide = 64;     // [px]
+constexpr int kPixelsAcross = 40;  // pixels across the small picture in which contrast is taken
+constexpr double kCoarse = 1.5;    // of those: slower changes are light and lens, not ground
+constexpr int kBorder = 2;         // of those: at the border nothing is known of what is slow
 constexpr double kSigmaOfMedian = 1.4826;  // of a Gaussian
 constexpr double kDarkest = 1e-4;          // linear light
 
@@ -76,7 +76,7 @@ GroundContrast MeasureGroundContrast(ImageView picture) {
     return {};
   }
   const cv::Mat linear = LinearOf(picture);
-  const double shrink = std::max(1.0, static_cast<double>(picture.width_px) / kAcross);
+  const double shrink = std::max(1.0, static_cast<double>(picture.width_px) / kPixelsAcross);
   cv::Mat small;
   cv::resize(linear, small, {}, 1.0 / shrink, 1.0 / shrink, cv::INTER_AREA);
   if (std::min(small.rows, small.cols) <= 2 * kBorder) {
