@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limpet/core/require.hpp"
+#include "limpet/planning/fence_slack.hpp"
 #include "limpet/planning/region.hpp"
 #include "limpet/planning/room.hpp"
 #include "limpet/survey/survey_shape.hpp"
@@ -69,25 +70,18 @@ void FenceAllowance::FindZoneSteps(const SurveyArea& area) {
   }
 }
 
-FenceAllowance::Slack FenceAllowance::SlackFrom(const Pose2& here) const {
-  const double radius = turn_radius_.value();
-  Slack most{.border = -std::numeric_limits<double>::infinity(), .zones = 0.0};
-  for (const double side : {-1.0, 1.0}) {
-    const PlanePoint centre(here.north - side * radius * std::sin(here.yaw),
-                            here.east + side * radius * std::cos(here.yaw));
-    const double slack = region_.Clearance(centre) - radius;
-    if (slack > most.border) {
-      most = {.border = slack, .zones = region_.ZoneClearance(centre) - radius};
-    }
-  }
-  return most;
+double FenceAllowance::Wanted(Meters place_sigma) {
+  const double wanted = std::ceil(kSigmas * place_sigma.value() / kStep - 1e-6);
+  return wanted > 0.0 ? wanted : 0.0;  // what is no number is 0
 }
 
-Meters FenceAllowance::Kept(Meters place_sigma, Meters held, double possible) const {
-  const double wanted = std::ceil(kSigmas * place_sigma.value() / kStep - 1e-6);
-  // Written so that what is no number is 0.
-  const double steps = wanted > 0.0 ? std::min(wanted, possible) : 0.0;
-  const double held_steps = std::round((held - tracking_).value() / kStep);
+double FenceAllowance::StepsOf(Meters allowance) const {
+  return std::round((allowance - tracking_).value() / kStep);
+}
+
+Meters FenceAllowance::Kept(double wanted, Meters held, double possible) const {
+  const double steps = std::min(wanted, possible);
+  const double held_steps = StepsOf(held);
   const bool stays = steps < held_steps && held_steps <= possible && held_steps < steps + 2.0;
   return At(stays ? held_steps : steps);
 }
@@ -95,15 +89,16 @@ Meters FenceAllowance::Kept(Meters place_sigma, Meters held, double possible) co
 KeptOff FenceAllowance::For(const Pose2& here, Meters place_sigma, const KeptOff& held,
                             Meters sight) const {
   const auto steps_in = [](double slack) { return std::max(0.0, std::floor(slack / kStep)); };
-  const Slack slack = SlackFrom(here);
-  const double off_border = std::min(static_cast<double>(steps_), steps_in(slack.border));
-  const Meters border = Kept(place_sigma, held.border, off_border);
-  if (region_.free_space() == nullptr) return {.border = border, .zones = border};
+  const double wanted = Wanted(place_sigma);
   const double in_sight =
       std::max(steps_in((sight - tracking_).value()), static_cast<double>(steps_));
-  const double off_zones =
-      std::min({static_cast<double>(zone_steps_), in_sight, steps_in(slack.zones)});
-  return {.border = border, .zones = Kept(place_sigma, held.zones, off_zones)};
+  const double room = steps_, zone_room = std::min(static_cast<double>(zone_steps_), in_sight);
+  const double zones_wanted = std::min(zone_room, std::max(wanted, StepsOf(held.zones)));
+  const FenceSlack slack = SlackToTurn(region_, here, turn_radius_, kStep * zones_wanted);
+  const Meters border = Kept(wanted, held.border, std::min(room, steps_in(slack.border)));
+  if (region_.free_space() == nullptr) return {.border = border, .zones = border};
+  return {.border = border,
+          .zones = Kept(wanted, held.zones, std::min(zone_room, steps_in(slack.zones)))};
 }
 
 }  // namespace limpet

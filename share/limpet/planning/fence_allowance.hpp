@@ -11,7 +11,7 @@ namespace limpet {
 /// How far paths keep inside the operating region and off the keep-out zones: for the pilot's
 /// error, and for three sigmas of the vehicle's place. As far as there is room: no allowance takes
 /// ground of the area away from the region, takes more than a seventh of the room to turn (a
-/// passage that closes takes all behind it), or leaves the vehicle no turn from where it is. Of
+/// passage that closes takes all behind it), or leaves the vehicle no way to where it can turn. Of
 /// keep-out zones paths keep as far off as no passage closes and their ground stays in sight: a few
 /// small ones take much room without being in the way. Where sigmas want more, BHV_OpRegion says
 /// so.
@@ -37,14 +37,11 @@ class FenceAllowance {
   [[nodiscard]] Meters At(double steps) const { return tracking_ + Meters(kStep * steps); }
   void FindSteps();
   void FindZoneSteps(const SurveyArea& area);
-  struct Slack {
-    double border = 0.0, zones = 0.0;  ///< [m]
-  };
-  /// By so much borders and zones may be kept off farther until no full turn from `here`, to the
-  /// side with more room, stays inside.
-  [[nodiscard]] Slack SlackFrom(const Pose2& here) const;
-  /// Of `possible` steps what a sigma wants, where `held` is kept.
-  [[nodiscard]] Meters Kept(Meters place_sigma, Meters held, double possible) const;
+  /// Steps that a sigma wants.
+  [[nodiscard]] static double Wanted(Meters place_sigma);
+  [[nodiscard]] double StepsOf(Meters allowance) const;
+  /// Of `possible` steps those `wanted`, or what is `held` if that is hardly more.
+  [[nodiscard]] Meters Kept(double wanted, Meters held, double possible) const;
 
   Meters tracking_, turn_radius_;
   Region region_;       ///< with the pilot's allowance alone

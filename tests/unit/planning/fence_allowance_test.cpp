@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limpet/planning/fence_allowance.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -114,8 +115,24 @@ TEST(FenceAllowance, LeavesAVehicleNearTheBorderItsTurn) {
   EXPECT_GT(Kept(fences, kMiddle, 1.0).border, Meters(2.5));
 }
 
+/// At once, or after an arc and a straight line.
+bool GetsToATurn(const Region& region, const Pose2& here) {
+  for (double turned = -3.0; turned <= 3.01; turned += 0.1) {
+    const PathSegment arc{.curvature = std::copysign(1.0 / kRadius.value(), turned),
+                          .length = std::abs(turned) * kRadius.value()};
+    const Pose2 ahead = Advance(here, arc);
+    if (!region.Contains(here, arc)) continue;
+    for (double length = 0.0; length <= 25.0; length += 0.25) {
+      const PathSegment line{.curvature = 0.0, .length = length};
+      if (!region.Contains(ahead, line)) break;
+      if (region.IsRecoverable(Advance(ahead, line), kRadius)) return true;
+    }
+  }
+  return false;
+}
+
 /// Of two turning circles one is near the border, the other one near a zone.
-TEST(FenceAllowance, LeavesTheSameTurnOffBordersAndOffZones) {
+TEST(FenceAllowance, LeavesAWayToTheSameTurnOffBordersAndOffZones) {
   SurveyArea area = OpenArea(3.0);
   area.keep_out = PlacesText({{9, 9}, {11, 9}, {11, 11}, {9, 11}});
   const FenceAllowance fences(area, kPilot, kRadius);
@@ -129,10 +146,37 @@ TEST(FenceAllowance, LeavesTheSameTurnOffBordersAndOffZones) {
     const KeptOff kept = Kept(fences, here, random.Uniform(0.0, 1.0));
     const Region region(area, kept, {});
     EXPECT_TRUE(region.Contains(here));
-    EXPECT_TRUE(region.IsRecoverable(here, kRadius));
+    EXPECT_TRUE(GetsToATurn(region, here));
     tight += kept.zones < fences.most().zones ? 1 : 0;
   }
   EXPECT_GT(tight, 50);
+}
+
+/// A basin of 50 x 42 m; between a pier in it and its northern quay 7.5 m are left.
+SurveyArea BasinWithPier() {
+  SurveyArea area = AreaWithin({{-20, -25}, {22, -25}, {22, 25}, {-20, 25}});
+  area.margin = 1.5;
+  area.keep_out = PlacesText({{6, -13}, {16, -13}, {16, -10}, {6, -10}});
+  return area;
+}
+
+TEST(FenceAllowance, HoldsOnAWayThroughAPassageThatIsTooNarrowToTurnIn) {
+  const SurveyArea area = BasinWithPier();
+  const FenceAllowance fences(area, kPilot, kRadius);
+  const Pose2 along{.north = 20.0, .east = -11.5, .yaw = 1.57};
+  const KeptOff kept = Kept(fences, along, 0.5);
+  EXPECT_NEAR(kept.zones.value(), 0.4 + 1.5, 1e-9);
+  const Region region(area, kept, {});
+  EXPECT_FALSE(region.IsRecoverable(along, kRadius));
+  const Pose2 behind = Advance(along, {.curvature = 0.0, .length = 8.0});
+  EXPECT_TRUE(region.Contains(along, {.curvature = 0.0, .length = 8.0}));
+  EXPECT_TRUE(region.IsRecoverable(behind, kRadius));
+}
+
+TEST(FenceAllowance, FallsForAVehicleThatComesUponAPierHeadOn) {
+  const FenceAllowance fences(BasinWithPier(), kPilot, kRadius);
+  const Pose2 head_on{.north = 3.0, .east = -11.5, .yaw = 0.0};
+  EXPECT_EQ(Kept(fences, head_on, 0.5).zones, kPilot);
 }
 
 /// Else a pilot's error of centimetres at the end of a lane would leave it nothing to fly.
