@@ -31,6 +31,7 @@ constexpr std::array kKnownByHeart = {
     KnownByHeart{"LogSum", "a sum is the same either way round"},
     KnownByHeart{"Uniform", "the lower bound comes first"},
     KnownByHeart{"NumberBetween", "the lower bound comes first"},
+    KnownByHeart{"DrawLog", "the lower bound comes first"},
     KnownByHeart{"NormalShareBelow", "of a distribution: where, then its parameter"},
     KnownByHeart{"StudentProbability", "of a distribution: where, then its parameter"},
     KnownByHeart{"StudentQuantile", "of a distribution: where, then its parameter"},

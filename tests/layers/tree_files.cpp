@@ -15,7 +15,7 @@ std::vector<SourceFile> TreeFiles() {
   const std::filesystem::path root(LIMPET_SOURCE_DIR);
   std::vector<SourceFile> files;
   for (const char* top :
-       {"share/limpet", "estimation", "behaviors", "generators", "apps", "tests"}) {
+       {"share/limpet", "estimation", "behaviors", "generators", "apps", "training", "tests"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
       if (entry.is_regular_file() && (extension == ".cpp" || extension == ".hpp")) {

@@ -57,10 +57,10 @@ int CodeOf(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + 
 /// One line of `faults:`, drawn.
 std::string DrawnFault(const SoakPlan& plan, Random& random) {
   constexpr std::array kPhases{"ALIGN", "DIVE", "SURVEY", "RETURN", "ASCEND"};
+  const double lasts = random.Uniform(5.0, 60.0), at = random.Uniform(0.0, 60.0);
+  const std::string_view phase = kPhases.at(random.Index(kPhases.size()));
   return fmt::format("{{what: {}, when: SURVEY_PHASE = {}, at_s: {:.0f}, for_s: {:.0f}}}",
-                     plan.fault.at(random.Index(plan.fault.size())),
-                     kPhases.at(random.Index(kPhases.size())), random.Uniform(0.0, 60.0),
-                     random.Uniform(5.0, 60.0));
+                     plan.fault.at(random.Index(plan.fault.size())), phase, at, lasts);
 }
 
 /// A copy of the mission with drawn faults and the plan's camera; says the faults.

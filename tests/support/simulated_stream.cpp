@@ -116,11 +116,8 @@ class Recorder {
       Eigen::Vector3d v = scale_ * (R_DB_ * vehicle.VelocityOf(p_BD_)) + dvl_bias_;
       v = Eigen::Vector3d(v.x() - misalign_ * v.y(), v.y() + misalign_ * v.x(), v.z());
       const double noise = scene_.true_noise * out_.stream.meta.noise.velocity;
-      v += Eigen::Vector3d(random_.Normal(noise), random_.Normal(noise),
-                           random_.Normal(0.5 * noise));
-      if (random_.Chance(0.003)) {
-        v += Eigen::Vector3d(random_.Normal(0.6), random_.Normal(0.6), random_.Normal(0.2));
-      }
+      v += DrawVelocityError(noise, 0.5 * noise);
+      if (random_.Chance(0.003)) v += DrawVelocityError(0.6, 0.2);
       v += troubles_->FalsePart(t) + bursts_.At(Seconds(t));
       row.v_WD_B = beams_.Velocity(v, SlopesBelow(X), beams_.DrawLost());
       row.altitude = ground_.Depth(p.head<2>()) - p.z() + random_.Normal(0.03);
@@ -149,13 +146,22 @@ class Recorder {
     rows_.push_back({std::max(t, stamp) + 2e-4, DepthReading{stamp, depth}});
   }
 
+  /// In the vehicle's frame; 1-sigma ahead and abeam, and below [m/s].
+  Eigen::Vector3d DrawVelocityError(double sigma, double sigma_below) {
+    const double below = random_.Normal(sigma_below), abeam = random_.Normal(sigma);
+    const double ahead = random_.Normal(sigma);
+    return {ahead, abeam, below};
+  }
+
   void TakeFix(double t, const SimulatedVehicle& vehicle) {
     const double dt = std::max(t - last_fix_t_, 0.0);
     last_fix_t_ = t;
-    const Eigen::Vector2d slow(gps_x_.Step(dt), gps_y_.Step(dt));
-    const Eigen::Vector2d white(random_.Normal(0.25), random_.Normal(0.25));
+    const double slow_east = gps_y_.Step(dt), slow_north = gps_x_.Step(dt);
+    const double white_east = random_.Normal(0.25), white_north = random_.Normal(0.25);
     const double stamp = gps_stamp_.StampOf(Seconds(t)).value();
-    const Eigen::Vector2d p = vehicle.pose().p_WB.head<2>() + slow + white;
+    const Eigen::Vector2d p = vehicle.pose().p_WB.head<2>() +
+                              Eigen::Vector2d(slow_north, slow_east) +
+                              Eigen::Vector2d(white_north, white_east);
     rows_.push_back(
         {std::max(t, stamp) + 3e-4, PositionFix{stamp, p + multipath_.At(Seconds(t)), 0.58}});
   }

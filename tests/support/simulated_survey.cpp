@@ -58,7 +58,8 @@ double SimulatedGround::Depth(const Eigen::Vector2d& p) const {
 
 void SimulatedGround::Place(std::vector<Eigen::Vector3d>& things, double apart) {
   const double reach = 0.85 * scene_.half_size_m;
-  Eigen::Vector3d p(random_.Uniform(-reach, reach), random_.Uniform(-reach, reach), 0.0);
+  const double east = random_.Uniform(-reach, reach), north = random_.Uniform(-reach, reach);
+  Eigen::Vector3d p(north, east, 0.0);
   const bool is_twin = scene_.has_twins && &things == &objects_ && things.size() % 2 == 1;
   if (is_twin) {
     const double way = random_.Uniform(0.0, 6.28);

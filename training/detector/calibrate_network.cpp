@@ -170,7 +170,7 @@ class Lessons {
   Examples alone_, together_;
 };
 
-int Run(int argc, char** argv) {
+int Calibrate(int argc, char** argv) {
   if (argc != 5) {
     fmt::print(stderr, "usage: calibrate_network NETWORK.yaml WORLDS STUDIO SEED\n");
     return 2;
@@ -198,7 +198,7 @@ int Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return limpet::Run(argc, argv);
+    return limpet::Calibrate(argc, argv);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "calibrate_network: {}\n", problem.what());
     return 1;

@@ -81,7 +81,7 @@ Eigen::Vector3d PlaceNear(const Pose& pose, double depth, double rise, Random& r
           pose.p_WB.y() + random.Uniform(-reach, reach), depth - rise};
 }
 
-Solid DrawBall(const Pose& pose, double depth, Random& random) {
+Solid DrawSphere(const Pose& pose, double depth, Random& random) {
   Solid ball;
   ball.radius = LogUniform(0.05, 0.6, random);
   const double most = std::max(ball.radius, 0.7 * (depth - pose.p_WB.z()));
@@ -100,9 +100,9 @@ Solid DrawOther(const Pose& pose, double depth, Random& random) {
   solid.height = solid.radius * random.Uniform(0.4, 4.0);
   if (solid.kind == SolidKind::kTyre) solid.height = 0.6 * solid.radius;
   solid.top_share = random.Uniform(0.1, 0.8);
-  const Eigen::AngleAxisd lean(
-      random.Uniform(0.0, std::numbers::pi),
-      Eigen::Vector3d(random.Normal(1.0), random.Normal(1.0), 0.01).normalized());
+  const double east = random.Normal(1.0), north = random.Normal(1.0);
+  const Eigen::AngleAxisd lean(random.Uniform(0.0, std::numbers::pi),
+                               Eigen::Vector3d(north, east, 0.01).normalized());
   solid.R_WS = lean.toRotationMatrix();
   solid.p_W = PlaceNear(pose, depth, random.Uniform(0.3, 1.0) * solid.radius, random);
   solid.color = AnyColor(random);
@@ -120,7 +120,7 @@ Pose DrawPose(double depth, Random& random) {
   return pose;
 }
 
-BallLabel LabelOf(const SolidLabel& label, const Solid& ball) {
+BallLabel SphereLabel(const SolidLabel& label, const Solid& ball) {
   const PixelRect& seen = label.visible;
   BallLabel made;
   made.box = {.u = seen.center_u(),
@@ -146,14 +146,14 @@ std::vector<LabelledPicture> RenderedFrames(std::uint64_t seed, int frames) {
     const auto balls = static_cast<std::size_t>(random.Index(4));
     std::vector<Solid> solids;
     for (std::size_t i = 0; i < balls; ++i)
-      solids.push_back(DrawBall(pose, depth, random));
+      solids.push_back(DrawSphere(pose, depth, random));
     for (std::uint64_t i = random.Index(4); i > 0; --i)
       solids.push_back(DrawOther(pose, depth, random));
     Image image = renderer.Render(pose, solids, static_cast<unsigned>(frame),
                                   Seconds(random.Uniform(0.0, 100.0)));
     LabelledPicture picture;
     for (const SolidLabel& label : renderer.labels()) {
-      if (label.solid < balls) picture.labels.push_back(LabelOf(label, solids[label.solid]));
+      if (label.solid < balls) picture.labels.push_back(SphereLabel(label, solids[label.solid]));
     }
     picture.pixels =
         cv::Mat3b(image.height_px, image.width_px, reinterpret_cast<cv::Vec3b*>(image.bgr.data()))

@@ -34,8 +34,8 @@ void PaintWater(StudioCanvas& canvas, Random& random) {
   const auto below = static_cast<float>(looks_ahead ? DrawLog(0.3, 1.1, random) : 1.0);
   const auto warmth = static_cast<float>(looks_ahead ? random.Uniform(0.0, 0.5) : 0.0);
   const auto curve = static_cast<float>(random.Uniform(0.6, 2.5));
-  const cv::Mat1f clouds =
-      DrawNoise(random.Uniform(1.5, 4.0), random.Uniform(1.5, 4.0), 2, 0.5, random);
+  const double down = random.Uniform(1.5, 4.0), across = random.Uniform(1.5, 4.0);
+  const cv::Mat1f clouds = DrawNoise({across, down, 2, 0.5}, random);
   const auto cloudy = static_cast<float>(random.Uniform(0.0, 0.35));
   for (int row = 0; row < canvas.light.rows; ++row) {
     const float height =
@@ -51,8 +51,9 @@ void PaintWater(StudioCanvas& canvas, Random& random) {
 /// The surface from below: torn bright patches, drawn out along the waves, thickest at the top.
 void PaintSurface(StudioCanvas& canvas, Random& random) {
   const auto reach = random.Uniform(0.15, 0.8) * canvas.light.rows;
-  const cv::Mat1f waves = DrawNoise(random.Uniform(3.0, 12.0), random.Uniform(6.0, 40.0), 4,
-                                    random.Uniform(0.5, 0.8), random);
+  const double rough = random.Uniform(0.5, 0.8);
+  const double down = random.Uniform(6.0, 40.0), across = random.Uniform(3.0, 12.0);
+  const cv::Mat1f waves = DrawNoise({across, down, 4, rough}, random);
   const auto level = static_cast<float>(random.Uniform(0.3, 0.9));
   const auto strength = static_cast<float>(random.Uniform(0.3, 2.0));
   cv::Vec3f color(0.6F, 0.9F, 1.0F);
@@ -73,16 +74,16 @@ void PaintGround(StudioCanvas& canvas, Random& random) {
   const int first = from_above ? 0 : cvRound(canvas.light.rows * random.Uniform(0.4, 0.9));
   const double cells = DrawLog(2.0, 30.0, random);
   const double squeeze = from_above ? 1.0 : random.Uniform(2.0, 5.0);
-  const cv::Mat1f form = DrawNoise(cells, cells * squeeze, 5, random.Uniform(0.5, 0.9), random);
-  const cv::Mat1f grain = DrawNoise(160.0, 120.0 * squeeze, 2, 0.8, random);
+  const cv::Mat1f form = DrawNoise({cells, cells * squeeze, 5, random.Uniform(0.5, 0.9)}, random);
+  const cv::Mat1f grain = DrawNoise({160.0, 120.0 * squeeze, 2, 0.8}, random);
   const cv::Vec3f one = DrawAnyColor(random);
   const cv::Vec3f other = random.Chance(0.5) ? DrawAnyColor(random)
                                              : one * static_cast<float>(random.Uniform(0.2, 0.8));
   const auto sharpness = static_cast<float>(DrawLog(0.4, 6.0, random));
   const auto roughness = static_cast<float>(random.Uniform(0.0, 0.35));
   const auto clarity = static_cast<float>(random.Uniform(0.15, 1.0));
-  const cv::Mat1f light =
-      DrawNoise(DrawLog(2.0, 25.0, random), DrawLog(2.0, 25.0, random), 2, 0.6, random);
+  const double down = DrawLog(2.0, 25.0, random), across = DrawLog(2.0, 25.0, random);
+  const cv::Mat1f light = DrawNoise({across, down, 2, 0.6}, random);
   const auto dapple = static_cast<float>(random.Uniform(0.0, 0.6));
   for (int row = first; row < canvas.light.rows; ++row) {
     const float near = from_above ? 1.0F
@@ -102,7 +103,7 @@ void PaintGround(StudioCanvas& canvas, Random& random) {
 /// Bright lines where waves gather the sun's light.
 void PaintCaustics(StudioCanvas& canvas, Random& random) {
   const double cells = DrawLog(3.0, 25.0, random);
-  const cv::Mat1f field = DrawNoise(cells, cells * random.Uniform(0.5, 2.0), 2, 0.5, random);
+  const cv::Mat1f field = DrawNoise({cells, cells * random.Uniform(0.5, 2.0), 2, 0.5}, random);
   const auto width = static_cast<float>(random.Uniform(0.05, 0.3));
   const auto strength = static_cast<float>(random.Uniform(0.1, 0.9));
   for (int row = 0; row < canvas.light.rows; ++row) {

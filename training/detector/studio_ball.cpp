@@ -84,9 +84,9 @@ void PaintMooring(StudioCanvas& canvas, const StudioBall& ball, Random& random) 
 
 }  // namespace
 
-double StudioBall::ScaleAt(double u, double v) const {
-  const double du = u - static_cast<double>(middle.x);
-  const double dv = v - static_cast<double>(middle.y);
+double StudioBall::ScaleAt(const cv::Point2d& at_px) const {
+  const double du = at_px.x - static_cast<double>(middle.x);
+  const double dv = at_px.y - static_cast<double>(middle.y);
   const double along = (du * std::cos(tilt) + dv * std::sin(tilt)) / (radius * stretch);
   const double across = (-du * std::sin(tilt) + dv * std::cos(tilt)) / radius;
   return std::hypot(along, across);
@@ -117,14 +117,14 @@ void PaintBall(StudioCanvas& canvas, const StudioBall& ball, Random& random) {
   const BallLook look = DrawLook(canvas, ball, random);
   const double cells = DrawLog(8.0, 60.0, random);
   const cv::Mat1f texture =
-      look.mottle > 0.0F ? DrawNoise(cells, cells, 2, 0.7, random) : cv::Mat1f();
+      look.mottle > 0.0F ? DrawNoise({cells, cells, 2, 0.7}, random) : cv::Mat1f();
   const cv::Rect2d outline = ball.Outline();
   const cv::Rect area = cv::Rect(cvFloor(outline.x) - 1, cvFloor(outline.y) - 1,
                                  cvCeil(outline.width) + 3, cvCeil(outline.height) + 3) &
                         cv::Rect(0, 0, StudioCanvas::kWidth, StudioCanvas::kHeight);
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column) {
-      const double scale = ball.ScaleAt(column + 0.5, row + 0.5);
+      const double scale = ball.ScaleAt({column + 0.5, row + 0.5});
       const auto cover =
           static_cast<float>(std::clamp((1.0 - scale) * ball.radius + 0.5, 0.0, 1.0));
       if (cover <= 0.0F) continue;

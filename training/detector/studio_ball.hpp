@@ -20,7 +20,7 @@ struct StudioBall {
   double tilt = 0.0;     ///< of the long axis [rad]
 
   /// Distance from the middle in radii: 1 on the outline.
-  [[nodiscard]] double ScaleAt(double u, double v) const;
+  [[nodiscard]] double ScaleAt(const cv::Point2d& at_px) const;
   /// Box around the ball's whole outline.
   [[nodiscard]] cv::Rect2d Outline() const;
 };

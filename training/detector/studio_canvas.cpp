@@ -72,15 +72,14 @@ cv::Vec3f DrawAnyColor(Random& random) {
   return color;
 }
 
-cv::Mat1f DrawNoise(double cells_across, double cells_down, int octaves, double decay,
-                    Random& random) {
+cv::Mat1f DrawNoise(const NoiseGrain& grain, Random& random) {
   cv::Mat1f sum(StudioCanvas::kHeight, StudioCanvas::kWidth, 0.0F);
   double weight = 1.0;
   double total = 0.0;
-  for (int octave = 0; octave < octaves; ++octave) {
+  for (int octave = 0; octave < grain.octaves; ++octave) {
     const double scale = std::pow(2.0, octave);
-    const cv::Size size(std::clamp(cvCeil(cells_across * scale), 2, StudioCanvas::kWidth),
-                        std::clamp(cvCeil(cells_down * scale), 2, StudioCanvas::kHeight));
+    const cv::Size size(std::clamp(cvCeil(grain.across * scale), 2, StudioCanvas::kWidth),
+                        std::clamp(cvCeil(grain.down * scale), 2, StudioCanvas::kHeight));
     cv::Mat1f cells(size);
     for (float& value : cells)
       value = static_cast<float>(random.Uniform(-1.0, 1.0));
@@ -88,7 +87,7 @@ cv::Mat1f DrawNoise(double cells_across, double cells_down, int octaves, double 
     cv::resize(cells, smooth, sum.size(), 0.0, 0.0, cv::INTER_CUBIC);
     cv::scaleAdd(smooth, weight, sum, sum);
     total += weight * weight;
-    weight *= decay;
+    weight *= grain.decay;
   }
   sum *= 1.5 / std::sqrt(total);
   return sum;
@@ -100,7 +99,7 @@ void PaintMask(StudioCanvas& canvas, const cv::Mat1b& mask, const cv::Rect& area
   cv::Mat1f texture;
   if (surface.mottle > 0.0F) {
     const double cells = DrawLog(4.0, 60.0, random);
-    texture = DrawNoise(cells, cells, 2, 0.6, random)(area);
+    texture = DrawNoise({cells, cells, 2, 0.6}, random)(area);
   }
   for (int row = 0; row < area.height; ++row) {
     const std::uint8_t* cover = mask[row];

@@ -30,11 +30,15 @@ struct StudioCanvas {
 /// Any colour; half of them are natural: grey, brown, olive.
 [[nodiscard]] cv::Vec3f DrawAnyColor(Random& random);
 
-/// Smooth noise with mean 0 and values mostly in -1 .. 1, as large as the canvas. `cells_across`
-/// and `cells_down` of the coarsest octave; each further one is twice as fine and `decay` as
-/// strong.
-[[nodiscard]] cv::Mat1f DrawNoise(double cells_across, double cells_down, int octaves, double decay,
-                                  Random& random);
+/// How fine noise is.
+struct NoiseGrain {
+  double across = 2.0, down = 2.0;  ///< cells of the coarsest octave
+  int octaves = 1;                  ///< each further one is twice as fine
+  double decay = 0.5;               ///< and by this as strong
+};
+
+/// Smooth noise with mean 0 and values mostly in -1 .. 1, as large as the canvas.
+[[nodiscard]] cv::Mat1f DrawNoise(const NoiseGrain& grain, Random& random);
 
 /// How a flat thing looks.
 struct StudioSurface {

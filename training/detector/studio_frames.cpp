@@ -24,7 +24,7 @@ double ShareKept(const StudioBall& ball, const cv::Mat3f& before, const cv::Mat3
   int kept = 0;
   for (int row = static_cast<int>(area.y); row < static_cast<int>(area.br().y); ++row) {
     for (int column = static_cast<int>(area.x); column < static_cast<int>(area.br().x); ++column) {
-      if (ball.ScaleAt(column + 0.5, row + 0.5) > 1.0) continue;
+      if (ball.ScaleAt({column + 0.5, row + 0.5}) > 1.0) continue;
       ++inside;
       kept += cv::norm(before(row, column) - after(row, column)) < 0.02 ? 1 : 0;
     }

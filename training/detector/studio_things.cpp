@@ -33,14 +33,14 @@ cv::Point2f Step(const cv::Point2f& from, double length, double angle) {
           from.y + static_cast<float>(length * std::sin(angle))};
 }
 
-/// A rectangle with its middle at `middle`, turned by `angle`.
-std::array<cv::Point2f, 4> Rectangle(const cv::Point2f& middle, double length, double width,
+/// A rectangle with its middle at `middle`, whose width is turned by `angle`.
+std::array<cv::Point2f, 4> Rectangle(const cv::Point2f& middle, const cv::Size2d& size,
                                      double angle) {
   std::array<cv::Point2f, 4> corners;
   constexpr std::array<std::array<double, 2>, 4> kSigns{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point2f along = Step(middle, 0.5 * length * kSigns.at(i)[0], angle);
-    corners.at(i) = Step(along, 0.5 * width * kSigns.at(i)[1], angle + 0.25 * kTurn);
+    const cv::Point2f along = Step(middle, 0.5 * size.width * kSigns.at(i)[0], angle);
+    corners.at(i) = Step(along, 0.5 * size.height * kSigns.at(i)[1], angle + 0.25 * kTurn);
   }
   return corners;
 }
@@ -49,8 +49,8 @@ std::array<cv::Point2f, 4> Rectangle(const cv::Point2f& middle, double length, d
 void PaintBeam(StudioCanvas& canvas, Random& random) {
   const double angle =
       random.Chance(0.5) ? 0.25 * kTurn + random.Normal(0.1) : random.Uniform(0.0, kTurn);
-  const auto corners =
-      Rectangle(DrawPlace(random), DrawLog(60.0, 900.0, random), DrawLog(3.0, 70.0, random), angle);
+  const double wide = DrawLog(3.0, 70.0, random), length = DrawLog(60.0, 900.0, random);
+  const auto corners = Rectangle(DrawPlace(random), {length, wide}, angle);
   PaintPolygon(canvas, corners, DrawSurface(random), random);
 }
 
@@ -63,7 +63,8 @@ void PaintFrame(StudioCanvas& canvas, Random& random) {
   const cv::Point2f right = Step(corner, wide, lean);
   const double up = lean + 0.25 * kTurn;
   const std::array points{Step(corner, -high, up), corner, right, Step(right, -high, up)};
-  PaintStroke(canvas, points, DrawLog(2.0, 22.0, random), DrawSurface(random), random);
+  const StudioSurface surface = DrawSurface(random);
+  PaintStroke(canvas, points, DrawLog(2.0, 22.0, random), surface, random);
 }
 
 void PaintRope(StudioCanvas& canvas, Random& random) {
@@ -74,7 +75,8 @@ void PaintRope(StudioCanvas& canvas, Random& random) {
     angle += random.Normal(0.2);
     points.push_back(Step(points.back(), step, angle));
   }
-  PaintStroke(canvas, points, DrawLog(1.0, 8.0, random), DrawSurface(random), random);
+  const StudioSurface surface = DrawSurface(random);
+  PaintStroke(canvas, points, DrawLog(1.0, 8.0, random), surface, random);
 }
 
 /// Something with three to six straight sides: flag, tag, board, cone.
@@ -140,8 +142,9 @@ void PaintCapsule(StudioCanvas& canvas, Random& random) {
     PaintStroke(canvas, ends, width, DrawSurface(random), random);
   } else {
     const cv::Point2f middle = 0.5F * (ends[0] + ends[1]);
-    PaintPolygon(canvas, Rectangle(middle, width * random.Uniform(1.3, 3.0), width, angle),
-                 DrawSurface(random), random);
+    const StudioSurface surface = DrawSurface(random);
+    const double length = width * random.Uniform(1.3, 3.0);
+    PaintPolygon(canvas, Rectangle(middle, {length, width}, angle), surface, random);
   }
 }
 
@@ -173,7 +176,8 @@ void PaintRing(StudioCanvas& canvas, Random& random) {
     const cv::Point2f long_way = Step(middle, size * std::cos(angle), tilt);
     points.push_back(Step(long_way, flat * size * std::sin(angle), tilt + 0.25 * kTurn));
   }
-  PaintStroke(canvas, points, size * random.Uniform(0.1, 0.5), DrawSurface(random), random);
+  const StudioSurface surface = DrawSurface(random);
+  PaintStroke(canvas, points, size * random.Uniform(0.1, 0.5), surface, random);
 }
 
 /// Light without an outline: a lamp, the sun's reflection, something out of focus.
@@ -203,8 +207,8 @@ void PaintFlakes(StudioCanvas& canvas, Random& random) {
   const double angle = random.Uniform(0.0, kTurn);
   for (std::uint64_t i = random.Index(80); i > 0; --i) {
     const cv::Point2f from = DrawPlace(random);
-    const std::array ends{
-        from, Step(from, streak * random.Uniform(0.5, 1.5), angle + random.Normal(0.3))};
+    const double turned = angle + random.Normal(0.3);
+    const std::array ends{from, Step(from, streak * random.Uniform(0.5, 1.5), turned)};
     const StudioSurface flake{.color = {0.8F, 0.9F, 0.9F},
                               .clarity = static_cast<float>(random.Uniform(0.1, 1.0))};
     PaintStroke(canvas, ends, DrawLog(1.0, 5.0, random), flake, random);

@@ -12,7 +12,7 @@
 
 namespace {
 
-int Run(int argc, char** argv) {
+int MakeFrames(int argc, char** argv) {
   if (argc != 5) {
     fmt::print(stderr, "usage: training_frames FOLDER STUDIO RENDERED SEED\n");
     return 2;
@@ -29,7 +29,7 @@ int Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return Run(argc, argv);
+    return MakeFrames(argc, argv);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "training_frames: {}\n", problem.what());
     return 1;

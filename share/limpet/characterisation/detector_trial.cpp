@@ -79,10 +79,11 @@ Solid DrawOther(const TrialPlan& plan, const Pose& pose, Random& random) {
   solid.kind = kKinds.at(random.Index(kKinds.size()));
   solid.height = solid.radius * random.Uniform(0.8, 3.0);
   if (solid.kind == SolidKind::kTyre) solid.height = 0.6 * solid.radius;
-  solid.R_WS =
-      Eigen::AngleAxisd(random.Uniform(0.0, std::numbers::pi),
-                        Eigen::Vector3d(random.Normal(1.0), random.Normal(1.0), 0.01).normalized())
-          .toRotationMatrix();
+  // In this order: arguments of one call are evaluated in any.
+  const double east = random.Normal(1.0), north = random.Normal(1.0);
+  const double angle = random.Uniform(0.0, std::numbers::pi);
+  const Eigen::Vector3d axis = Eigen::Vector3d(north, east, 0.01).normalized();
+  solid.R_WS = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   solid.p_W.z() = kDepth - 0.6 * solid.radius;
   return solid;
 }

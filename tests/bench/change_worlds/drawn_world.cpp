@@ -41,7 +41,8 @@ class Layout {
   Eigen::Vector2d FreePlace() {
     const double most = kHalfSide - kWallSpace;
     for (int tries = 0;; ++tries) {
-      const Eigen::Vector2d place(random_.Uniform(-most, most), random_.Uniform(-most, most));
+      const double east = random_.Uniform(-most, most), north = random_.Uniform(-most, most);
+      const Eigen::Vector2d place(north, east);
       if (IsFree(place, tries < 1000 ? kApart : 0.5 * kApart)) {
         taken_.push_back(place);
         return place;
@@ -92,17 +93,21 @@ struct World {
 };
 
 std::string ScenarioText(const World& world, Random& random) {
+  const std::uint64_t ground = random.Index(1000);
+  const double roughness = random.Uniform(0.02, 0.1), toward = random.Uniform(0.0, 360.0);
+  const double slope = random.Uniform(0.0, 1.5);
   std::string text = fmt::format(
       "seabed:  {{depth_m: {:.2f}, slope_deg: {:.1f}, slope_toward_deg: {:.0f}, roughness_m: "
       "{:.2f}, seed: {}}}\n",
-      world.depth, random.Uniform(0.0, 1.5), random.Uniform(0.0, 360.0), random.Uniform(0.02, 0.1),
-      random.Index(1000));
+      world.depth, slope, toward, roughness, ground);
+  const double set_east = random.Uniform(-0.05, 0.05), set_north = random.Uniform(-0.05, 0.05);
   text += fmt::format(
       "water:   {{visibility_m: {:.2f}, current_north_mps: {:.3f}, current_east_mps: {:.3f}}}\n",
-      world.visibility, random.Uniform(-0.05, 0.05), random.Uniform(-0.05, 0.05));
+      world.visibility, set_north, set_east);
+  const double heading = random.Uniform(0.0, 360.0);
+  const double east = random.Uniform(-11.0, 11.0), north = random.Uniform(-11.0, 11.0);
   text += fmt::format("start:   {{north_m: {:.1f}, east_m: {:.1f}, heading_deg: {:.0f}}}\nopis:\n",
-                      random.Uniform(-11.0, 11.0), random.Uniform(-11.0, 11.0),
-                      random.Uniform(0.0, 360.0));
+                      north, east, heading);
   int number = 0;
   for (const Stay& stay : DrawObjects(random)) {
     const double rest = world.depth - world.radius;
@@ -112,12 +117,14 @@ std::string ScenarioText(const World& world, Random& random) {
                     ++number, random.Chance(0.5) ? "yellow" : "orange", world.radius,
                     PlaceText(stay.before, depth), PlaceText(stay.now, depth));
   }
+  const double gps = LogUniform(random, 0.4, 2.0), compass = LogUniform(random, 0.25, 1.0);
+  const double yaw_bias = LogUniform(random, 0.5, 2.0);
+  const double outliers = random.Uniform(0.0, 0.02), dropouts = random.Uniform(0.0, 1.0);
   text += fmt::format(
       "camera:  boxes\nsensors: {{dvl_dropout_per_min: {:.2f}, dvl_outlier_share: {:.3f}, "
       "yaw_bias_deg_per_h: {:.2f}, heading_sigma_deg: {:.2f}, gps_sigma_m: {:.2f}, "
       "false_detections_per_image: {:.3f}}}\n",
-      random.Uniform(0.0, 1.0), random.Uniform(0.0, 0.02), LogUniform(random, 0.5, 2.0),
-      LogUniform(random, 0.25, 1.0), LogUniform(random, 0.4, 2.0), world.false_boxes);
+      dropouts, outliers, yaw_bias, compass, gps, world.false_boxes);
   return text;
 }
 

@@ -79,10 +79,11 @@ std::vector<Frame> PasteBalls(const std::vector<Frame>& buoys, const std::vector
     for (int half = 0; half < 2; ++half) {
       const Cutting& ball = balls[random.Index(balls.size())];
       const cv::Size size = ball.picture.size();
-      const cv::Point at(
-          320 * half + static_cast<int>(random.Index(static_cast<std::uint64_t>(320 - size.width))),
-          static_cast<int>(
-              random.Index(static_cast<std::uint64_t>(frame.picture.rows - size.height))));
+      const auto draw = [&](int count) {
+        return static_cast<int>(random.Index(static_cast<std::uint64_t>(count)));
+      };
+      const int row = draw(frame.picture.rows - size.height), column = draw(320 - size.width);
+      const cv::Point at(320 * half + column, row);
       cv::Mat mask(size, CV_8U, cv::Scalar(0));
       cv::circle(mask, {size.width / 2, size.height / 2}, cvFloor(ball.label.radius) - 1,
                  cv::Scalar(255), cv::FILLED);

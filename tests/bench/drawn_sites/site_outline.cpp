@@ -121,8 +121,9 @@ SimplePolygon Placed(Corners corners, double turned) {
 
 PlanePoint DrawInside(const SimplePolygon& outline, Random& random) {
   while (true) {
-    const PlanePoint place(random.Uniform(outline.low().x(), outline.high().x()),
-                           random.Uniform(outline.low().y(), outline.high().y()));
+    const double east = random.Uniform(outline.low().y(), outline.high().y());
+    const double north = random.Uniform(outline.low().x(), outline.high().x());
+    const PlanePoint place(north, east);
     if (outline.Contains(place)) return place;
   }
 }

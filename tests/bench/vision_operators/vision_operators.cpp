@@ -217,8 +217,9 @@ struct Arc {
   Arc(double turn, Random& random) {
     for (int i = 0; i < 48; ++i) {
       const double angle = turn * i / 48.0;
-      points.emplace_back(200.0 + 60.0 * std::cos(angle) + random.Normal(0.5),
-                          150.0 + 45.0 * std::sin(angle) + random.Normal(0.5));
+      const double off_v = random.Normal(0.5), off_u = random.Normal(0.5);
+      points.emplace_back(200.0 + 60.0 * std::cos(angle) + off_u,
+                          150.0 + 45.0 * std::sin(angle) + off_v);
       cv_points.emplace_back(static_cast<float>(points.back().x()),
                              static_cast<float>(points.back().y()));
     }

@@ -56,9 +56,8 @@ class ArrowSmootherTest : public ::testing::Test {
     }
     truth_.push_back(x);
     smoother_->AddTerm(k, Term::OnPose(DepthFactor(Meters(random_.Normal(0.03)), 0.03_m)));
-    smoother_->AddTerm(
-        k, Term::OnPose(RollPitchFactor(Radians(random_.Normal(0.005)),
-                                        Radians(random_.Normal(0.005)), Radians(0.005))));
+    const Radians pitch(random_.Normal(0.005)), roll(random_.Normal(0.005));
+    smoother_->AddTerm(k, Term::OnPose(RollPitchFactor(roll, pitch, Radians(0.005))));
   }
   void Look() {
     const int k = static_cast<int>(truth_.size()) - 1;
@@ -69,8 +68,9 @@ class ArrowSmootherTest : public ::testing::Test {
       if (slots_[j] < 0) {
         slots_[j] = smoother_->AddLandmark(objects_[j] + Eigen::Vector3d(0.3, -0.2, 0.4));
       }
-      const Eigen::Vector2d pixel(camera_.cx + camera_.fx * p.x() / p.z() + random_.Normal(3.0),
-                                  camera_.cy + camera_.fy * p.y() / p.z() + random_.Normal(3.0));
+      const double off_v = random_.Normal(3.0), off_u = random_.Normal(3.0);
+      const Eigen::Vector2d pixel(camera_.cx + camera_.fx * p.x() / p.z() + off_u,
+                                  camera_.cy + camera_.fy * p.y() / p.z() + off_v);
       last_look_ =
           smoother_->AddTerm(k, Term::OnObservation(ReprojectionFactor(camera_, pixel, {3.0, 3.0}),
                                                     slots_[j], Loss::Huber(1.345)));
