@@ -18,6 +18,12 @@ constexpr auto kBelow = SafetyRule::Side::kBelow;
 constexpr std::array<std::string_view, kSafetyPhases> kSafetyPhaseNames{
     "idle", "align", "dive", "survey", "return", "ascend"};
 
+/// In the order of SurveyPhase. On its way up to a fix the vehicle ascends; when all is done it is
+/// as idle as before.
+constexpr std::array<SafetyPhase, kSurveyPhaseNames.size()> kPhaseInSurvey{
+    SafetyPhase::kIdle,   SafetyPhase::kAlign,  SafetyPhase::kDive,   SafetyPhase::kSurvey,
+    SafetyPhase::kReturn, SafetyPhase::kAscend, SafetyPhase::kAscend, SafetyPhase::kIdle};
+
 // Idle, align, dive, survey, return, ascend.
 constexpr Actions kWarnAlways{kWarn, kWarn, kWarn, kWarn, kWarn, kWarn};
 constexpr Actions kUpFromBelow{kNone, kWarn, kSurface, kSurface, kSurface, kWarn};
@@ -210,23 +216,8 @@ std::string_view NameOf(SafetyPhase phase) {
 }
 
 SafetyPhase SafetyPhaseOf(std::string_view survey_phase) {
-  switch (SurveyPhaseOf(survey_phase).value_or(SurveyPhase::kIdle)) {
-    case SurveyPhase::kAlign:
-      return SafetyPhase::kAlign;
-    case SurveyPhase::kDive:
-      return SafetyPhase::kDive;
-    case SurveyPhase::kSurvey:
-      return SafetyPhase::kSurvey;
-    case SurveyPhase::kReturn:
-      return SafetyPhase::kReturn;
-    case SurveyPhase::kAscend:
-    case SurveyPhase::kFix:
-      return SafetyPhase::kAscend;
-    case SurveyPhase::kIdle:
-    case SurveyPhase::kDone:
-      break;
-  }
-  return SafetyPhase::kIdle;
+  const auto phase = SurveyPhaseOf(survey_phase).value_or(SurveyPhase::kIdle);
+  return kPhaseInSurvey[static_cast<std::size_t>(phase)];
 }
 
 std::span<const SafetyRule, kSafetyRules> SafetyRules() { return kTable; }

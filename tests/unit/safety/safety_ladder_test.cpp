@@ -272,9 +272,14 @@ TEST(SafetyTable, NamesAndKeysAreUnambiguousAndLimitsAreAllowed) {
 }
 
 TEST(SafetyTable, KnowsThePhasesOfASurvey) {
+  EXPECT_EQ(SafetyPhaseOf("ALIGN"), SafetyPhase::kAlign);
   EXPECT_EQ(SafetyPhaseOf("DIVE"), SafetyPhase::kDive);
+  EXPECT_EQ(SafetyPhaseOf("SURVEY"), SafetyPhase::kSurvey);
+  EXPECT_EQ(SafetyPhaseOf("RETURN"), SafetyPhase::kReturn);
+  EXPECT_EQ(SafetyPhaseOf("ASCEND"), SafetyPhase::kAscend);
   EXPECT_EQ(SafetyPhaseOf("FIX"), SafetyPhase::kAscend);
   EXPECT_EQ(SafetyPhaseOf("DONE"), SafetyPhase::kIdle);
+  EXPECT_EQ(SafetyPhaseOf("PAUSE"), SafetyPhase::kIdle) << "a word that no survey says";
   EXPECT_EQ(NameOf(SafetyPhase::kReturn), "return");
 }
 
