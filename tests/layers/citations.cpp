@@ -40,7 +40,7 @@ std::set<std::string> ReadReferences(std::string_view markdown) {
 
 std::vector<std::string> CitationsIn(const SourceFile& file) {
   static const std::regex kCitation(
-      R"(\[([A-Z][^\[\]0-9,/\\\n]* [0-9]{4}[a-z]?)(?:,[^\[\]\n]*)?\])");
+      R"(\[((?:(?:von|van|de|der|den) )*[A-Z][^\[\]0-9,/\\\n]* [0-9]{4}[a-z]?)(?:,[^\[\]\n]*)?\])");
   std::vector<std::string> cited;
   const std::string comments = CommentsOf(file.text);
   for (std::sregex_iterator found(comments.begin(), comments.end(), kCitation), end; found != end;

@@ -39,12 +39,14 @@ TEST(Citations, AreReadFromTheEntriesOfThePage) {
 
 TEST(Citations, AreFoundInCommentsAlone) {
   EXPECT_THAT(CitationsIn({"a.cpp",
-                           "/// Least cost [Kuhn 1955]; [m], [Hz 1] and [0, 1999] are none.\n"
+                           "/// Least cost [Kuhn 1955]; [m], [Hz 1], [0, 1999], [s since 1970] are "
+                           "none.\n"
+                           "// Differences [von Neumann 1941].\n"
                            "int a = b[K 1955];  ///< [Jaffe 1990, the scattered component]\n"
                            "const char* c = \"[Brier 1950]\";\n"
                            "// A line may end within [Bar-Shalom\n// 2001].\n"
                            "// But no code lies [Reid\nint d;\n// 1979] within.\n"}),
-              ElementsAre("Kuhn 1955", "Jaffe 1990", "Bar-Shalom 2001"));
+              ElementsAre("Kuhn 1955", "von Neumann 1941", "Jaffe 1990", "Bar-Shalom 2001"));
 }
 
 TEST(Citations, WithoutAnEntryAreComplainedAbout) {
