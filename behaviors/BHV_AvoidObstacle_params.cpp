@@ -71,7 +71,8 @@ void BHV_AvoidObstacle::Params::Describe(ParamCollector& visit) {
   DescribeDistance(visit, "max_util_cpa_dist", "m, at least min_util_cpa_dist",
                    "One that stays this far off is as good as any; else 16 m",
                    {.value = &free_approach, .low = {&least_approach}});
-  visit.Parsed("buffer_dist", "m, from 0", "In old missions: both of them", "",
+  visit.Parsed("buffer_dist", "m, from 0",
+               "In old missions: min_util_cpa_dist and max_util_cpa_dist at once", "",
                [this](std::string_view text) {
                  if (text.empty()) return true;
                  const auto value = ParseNumber(text);

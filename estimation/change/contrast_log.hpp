@@ -17,8 +17,9 @@ class ContrastLog {
  public:
   /// One image from `range` metres above the ground.
   void Add(double range, const GroundContrast& image);
-  /// What is kept, nearest first; and takes over what another log kept, but for what no log keeps.
+  /// What is kept, by distance, nearest first.
   [[nodiscard]] const std::vector<ContrastBin>& bins() const { return bins_; }
+  /// Replaces what is kept by what another log kept; bins that no log can have are left out.
   void Set(std::vector<ContrastBin> bins);
 
   /// ln P(contrasts | visibility), up to a constant.

@@ -25,7 +25,7 @@ struct LookParams {
     return (p_OC - former_p_OC).norm() >= new_look_distance.value() ||
            p_OC.normalized().dot(former_p_OC.normalized()) <= std::cos(new_look_angle.value());
   }
-  /// The same of ground, for a vehicle that has gone and turned so far [m], [rad].
+  /// True if ground is seen in another look by a vehicle that has gone and turned so far.
   [[nodiscard]] bool IsNewLook(Meters gone, Radians turned) const {
     return gone >= new_look_distance || turned >= new_look_angle;
   }

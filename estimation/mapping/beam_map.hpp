@@ -102,11 +102,11 @@ class BeamMap {
   [[nodiscard]] double Owed(const Ping& ping) const;
 
   std::array<Eigen::Vector3d, 4> directions_;
-  double reach_;                   ///< of a beam of one metre, from the vertical [m]
+  double reach_;                   ///< horizontal, of a beam of one metre [m]
   mutable BeamEvidence evidence_;  ///< what is dropped of it comes back when it is read
   std::map<TileKey, TilePings> tile_pings_;
   DepthMap depths_;
-  double down_variance_ = 0.0;  ///< sum over the pings that say it [m^2]
+  double down_variance_ = 0.0;  ///< of depth: sum over the pings that say one [m^2]
   int with_variance_ = 0;
   std::deque<Ping> pings_;
   std::deque<Sweep> sweeps_;

@@ -31,7 +31,7 @@ class ObstacleFinder {
 
  private:
   [[nodiscard]] bool StandsUp(const Eigen::Vector3d& end_W, double vehicle_down) const;
-  /// That one of the obstacles known which `now` is; it is taken out of `known`.
+  /// The obstacle of `known` that `now` is, which is taken out; nothing if there is none.
   [[nodiscard]] std::optional<Obstacle> TakeFormer(const Obstacle& now,
                                                    std::vector<Obstacle>& known) const;
 

@@ -17,9 +17,9 @@ namespace limpet {
 struct MatchingParams {
   /// Prior of each component of the shift: each session has fixes of its own, with a slow error.
   Meters offset_sigma{0.8};
-  Meters datum_sigma{0.0};  ///< and of what neither session's fixes know of
+  Meters datum_sigma{0.0};  ///< prior of a shift that no session's fixes show
   Radians datum_turn_sigma{0.0};
-  Meters down_sigma{0.3};  ///< of what all depths of a session have in common: tide, sensor
+  Meters down_sigma{0.3};  ///< prior of what all depths have in common: tide, sensor
   Radians turn_sigma = Radians::FromTextUnit(1.0);
   Meters position_floor{
       0.15};                 ///< added to each object's own covariance: what a filter does not know

@@ -63,7 +63,7 @@ class AidingSources {
   [[nodiscard]] const SourceCounts& counts(int i) const { return At(i).counts; }
   /// Nothing of a source without slow errors, or before Begin.
   [[nodiscard]] std::optional<SourceErrorEstimate> ErrorsOf(int i) const;
-  /// The same by their names.
+  /// The slow errors of a source, by their names; none where ErrorsOf() says nothing.
   [[nodiscard]] std::vector<NamedState> NamedErrorsOf(int i) const;
 
  private:

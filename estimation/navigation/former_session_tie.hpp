@@ -16,9 +16,9 @@ namespace limpet {
 struct PresentLandmarks {
   std::vector<int> slots;
   std::vector<ObjectEstimate> objects;
-  Eigen::MatrixXd covariance;  ///< joint, three rows per landmark
-  std::size_t others = 0;      ///< the last so many are not to be matched, but the prior that is
-                               ///< applied speaks of them
+  Eigen::MatrixXd covariance;  ///< joint, in W, three rows per landmark [m^2]
+  std::size_t others = 0;      ///< so many of the last are covered by the prior that is applied,
+                               ///< and are not to be matched
 };
 
 /// Recognises the former session's objects among the present landmarks, and says what it then

@@ -19,7 +19,7 @@ class PlaceSigmas {
  public:
   /// Poses so near to one another look at the same ground [m].
   static constexpr double kSameGround = 6.0;
-  /// and are of two passes if there is so much way between them [m].
+  /// Poses with so much way between them are of two passes [m].
   static constexpr double kOtherPass = 12.0;
 
   /// Notes the chain's next pose: its time [s] and place in W [m] as known now.

@@ -29,9 +29,9 @@ class WayPower {
   [[nodiscard]] double AtRest() const;
   /// On `way`, held against what the current does ahead and abeam.
   [[nodiscard]] double In(const WaterCurrent& current, const Way& way) const;
-  /// By that what a metre of the way takes, in metres of still water; at most kDearest.
+  /// What a metre of `way` takes, in metres of still water; at most kDearest.
   [[nodiscard]] double CostOf(const WaterCurrent& current, const Way& way) const;
-  /// That of every course at one speed.
+  /// What a metre takes on every course at one speed, in metres of still water.
   [[nodiscard]] CourseCost CostsOf(const WaterCurrent& current, MetersPerSecond speed) const;
 
   static constexpr double kDearest = 10.0;

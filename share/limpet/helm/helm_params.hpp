@@ -75,8 +75,13 @@ struct HelmParams {
     visit("lead_depth", lead_depth,
           "With lead: the variable in which the other helm's BHV_ConstantDepth takes updates");
     visit("lead_course", lead_course,
-          "Of its BHV_ConstantHeading, told a course while there is no way; with lead_speed");
-    visit("lead_speed", lead_speed, "Of its BHV_ConstantSpeed; with lead_course");
+          "With lead and lead_speed: the variable in which the other helm's BHV_ConstantHeading "
+          "takes "
+          "updates, told a course while there is no way");
+    visit(
+        "lead_speed", lead_speed,
+        "With lead and lead_course: the variable in which the other helm's BHV_ConstantSpeed takes "
+        "updates");
     DescribeMail(visit);
     visit.WithoutEffect({"node_skew", "verbose", "standby", "contact_max_age", "pmgen",
                          "seed_random", "ivp_behavior_dir", "ivp_behavior_dirs",

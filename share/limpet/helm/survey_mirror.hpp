@@ -55,7 +55,8 @@ class SurveyMirror {
   /// What is flown next. A plan that shows nothing more gives its block of a large area up.
   /// REQUIRES: has_area().
   void NoteChoice(const Option& option);
-  /// That one is of all there is left, shows nothing more either, and lacks the survey's end.
+  /// True if the plan that is flown is of all that is left, shows nothing more all the same, and
+  /// ends short of the share of the bottom at which the survey is to end.
   [[nodiscard]] bool gives_up() const { return gives_up_; }
 
   [[nodiscard]] bool has_area() const { return area_.has_value(); }

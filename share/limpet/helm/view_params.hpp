@@ -32,8 +32,10 @@ struct ViewParams {
                  "limpet: by a plan of the whole survey, to whose end every option is completed; "
                  "lawnmower: along lanes; the paper's (P0): other bids, too",
                  {"limpet", "lawnmower", "paper"});
-    visit.Choice("gain", gain, "full, or coverage alone (no bids on objects; paper: eq 17)",
-                 {"full", "coverage"});
+    visit.Choice(
+        "gain", gain,
+        "full, or coverage alone (no bids on objects; planner paper: [Bucci 2025] eq. (17))",
+        {"full", "coverage"});
     visit("generators", generators,
           "Who offers paths, in this order, e.g. beam, gaps, tour, home, transit; empty: the "
           "planner's own");

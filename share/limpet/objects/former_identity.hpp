@@ -17,8 +17,9 @@ struct FormerIdentity {
   std::optional<int> id = std::nullopt;  ///< of the FormerObject that it was matched with
   double probability = 1.0;  ///< that it stands where that one stood; else it was moved, or that
                              ///< one is gone and this one came
-  /// Not empty: which former object it is, if any, is undecided. What the probabilities leave to
-  /// one is that it is none of them; `id` is then the likeliest match, if there is one.
+  /// Not empty: which former object it is, if any, is undecided. One minus the sum of their
+  /// probabilities is that of its being none of these; `id` is the likeliest match, if there is
+  /// one.
   std::vector<FormerCandidate> candidates = {};
 
   /// True if it is, or may be, an object of the former session.

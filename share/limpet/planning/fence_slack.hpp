@@ -13,10 +13,10 @@ struct FenceSlack {
   double zones = 0.0;   ///< [m]
 };
 
-/// By so much more than by `region` borders and zones may be kept off by a vehicle at `here` that
-/// is to have a full turn of `radius`, at once, to the side with more room. Zones also by more, as
-/// far as `enough_zones` [m] asks for it, where the same border leaves a turn after an arc and up
-/// to 25 m straight ahead: a passage that is too narrow to turn in is flown through.
+/// How much farther than in `region` a vehicle at `here` can keep off borders and zones, and still
+/// have a full turn of `radius` at once, to the side with more room. Zones farther yet, as far as
+/// `enough_zones` [m] asks for it, where the same border leaves a turn after an arc and up to 25 m
+/// straight ahead: a passage that is too narrow to turn in is flown through.
 [[nodiscard]] FenceSlack SlackToTurn(const Region& region, const Pose2& here, Meters radius,
                                      double enough_zones);
 

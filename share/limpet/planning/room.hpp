@@ -26,9 +26,9 @@ namespace limpet {
 [[nodiscard]] std::optional<PlanePoint> NearestRoom(const FreeSpace& space, const PlanePoint& from,
                                                     double radius);
 
-/// Of the room to turn in `space` the share from which that in `smaller`, a part of it, is no
-/// farther than `reach` and a cell, along the farther axis: not what its fences, nearer by `reach`,
-/// cut off or close.
+/// Share of the room to turn in `space` from which the nearest room to turn in `smaller`, a part of
+/// it, is no farther than `reach` and a cell along the farther axis. Fences of `smaller`, nearer by
+/// `reach`, have cut off or closed the rest.
 [[nodiscard]] double RoomInReach(const FreeSpace& space, const FreeSpace& smaller, Meters radius,
                                  Meters reach);
 

@@ -16,9 +16,11 @@ struct CompassErrorParams {
   template <class V>
   void Describe(V& visit) {
     using namespace literals;
-    visit("deviation_deg", constant, "On every heading", InRange(-45.0_deg, 45.0_deg));
-    visit("deviation_sin_deg", sine, "Times the sine of the heading", InRange(-45.0_deg, 45.0_deg));
-    visit("deviation_cos_deg", cosine, "Times the cosine of the heading",
+    visit("deviation_deg", constant, "Deviation: the same on every heading",
+          InRange(-45.0_deg, 45.0_deg));
+    visit("deviation_sin_deg", sine, "Deviation: amplitude of the sine of the heading",
+          InRange(-45.0_deg, 45.0_deg));
+    visit("deviation_cos_deg", cosine, "Deviation: amplitude of the cosine of the heading",
           InRange(-45.0_deg, 45.0_deg));
     visit("heading_noise_deg", noise, "1-sigma of noise of one sample, on top of the sheet's",
           InRange(0.0_deg, 45.0_deg));

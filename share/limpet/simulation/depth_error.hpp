@@ -19,7 +19,8 @@ struct DepthErrorParams {
     visit("offset_m", offset, "Air pressure and zero that nobody set: what every depth is too deep",
           InRange(-5.0_m, 5.0_m));
     visit("trend_m_per_h", trend_m_per_h,
-          "By which that grows: tide, weather, a sensor that creeps [m/h]", InRange(-5.0, 5.0));
+          "Rate at which the offset grows: tide, weather, a sensor that creeps [m/h]",
+          InRange(-5.0, 5.0));
   }
 };
 

@@ -21,9 +21,11 @@ struct FalseVelocityParams {
     using namespace literals;
     visit("false_velocity_per_h", per_h, "Bursts of a false velocity that is said as valid",
           InRange(0.0, 3600.0));
-    visit("false_velocity_shortest_s", shortest, "Length of the shortest", InRange(0.0_s, 600.0_s));
-    visit("false_velocity_longest_s", longest, "Length of the longest", InRange(0.0_s, 600.0_s));
-    visit("false_velocity_least_mps", least, "Horizontal part of the smallest",
+    visit("false_velocity_shortest_s", shortest, "How long the shortest burst lasts",
+          InRange(0.0_s, 600.0_s));
+    visit("false_velocity_longest_s", longest, "How long the longest burst lasts",
+          InRange(0.0_s, 600.0_s));
+    visit("false_velocity_least_mps", least, "Horizontal part of the smallest false velocity",
           InRange(0.0_mps, 10.0_mps));
     visit("false_velocity_most_mps", most, "Horizontal part of the greatest",
           InRange(0.0_mps, 10.0_mps));

@@ -23,13 +23,15 @@ struct GpsErrorParams {
   void Describe(V& visit) {
     using namespace literals;
     visit("walk_m", walk, "1-sigma of each axis of an error that wanders", InRange(0.0_m, 100.0_m));
-    visit("walk_time_s", walk_time, "That stays the same for about this long",
+    visit("walk_time_s", walk_time, "Correlation time of the error that wanders",
           InRange(0.1_s, 3600.0_s));
     visit("jumps_per_h", jumps_per_h, "Jumps of all fixes of a while to another place",
           InRange(0.0, 3600.0));
     visit("jump_m", jump, "1-sigma of each axis of a jump", InRange(0.0_m, 1000.0_m));
-    visit("jump_shortest_s", shortest_jump, "Length of the shortest", InRange(0.0_s, 3600.0_s));
-    visit("jump_longest_s", longest_jump, "Length of the longest", InRange(0.0_s, 3600.0_s));
+    visit("jump_shortest_s", shortest_jump, "How long the shortest jump lasts",
+          InRange(0.0_s, 3600.0_s));
+    visit("jump_longest_s", longest_jump, "How long the longest jump lasts",
+          InRange(0.0_s, 3600.0_s));
   }
 };
 

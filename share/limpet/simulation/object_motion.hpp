@@ -22,7 +22,7 @@ struct ObjectMotionParams {
     using namespace literals;
     visit("sway_m", sway_W, "m", "Swings by so much north, east and down to either side",
           InRange(-10.0, 10.0));
-    visit("sway_period_s", sway_period, "Of that", InRange(0.5_s, 3600.0_s));
+    visit("sway_period_s", sway_period, "Period of the sway", InRange(0.5_s, 3600.0_s));
     visit("drift_mps", drift_W, "mps", "Goes so fast north, east and down, from its place on",
           InRange(-2.0, 2.0));
   }

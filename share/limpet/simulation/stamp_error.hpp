@@ -27,7 +27,8 @@ struct StampErrorParams {
           InRange(0.0_s, 1.0_s));
     visit("late_share", late_share, "Share of the samples that a busy driver stamps too late",
           InRange(0.0, 1.0));
-    visit("late_s", late, "So much too late are those", InRange(0.0_s, 10.0_s));
+    visit("late_s", late, "How late the samples are that are stamped too late",
+          InRange(0.0_s, 10.0_s));
   }
   [[nodiscard]] bool is_off() const {
     return delay == Seconds(0.0) && jitter == Seconds(0.0) && late_share == 0.0;

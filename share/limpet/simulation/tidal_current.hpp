@@ -23,7 +23,7 @@ struct TidalCurrentParams {
   template <class V>
   void Describe(V& visit) {
     using namespace literals;
-    visit("tide_period_s", tide_period, "Of what the tide does; 0: it does nothing",
+    visit("tide_period_s", tide_period, "Period of the tide; 0: no tide",
           InRange(0.0_s, 1000000.0_s));
     visit("tide_swing_deg", tide_swing, "The direction swings by so much to either side",
           InRange(0.0_deg, 180.0_deg));
@@ -32,7 +32,7 @@ struct TidalCurrentParams {
           InRange(0.0, 3.0));
     visit("unrest_share", unrest_share, "1-sigma of what comes and goes at random, over the mean",
           InRange(0.0, 2.0));
-    visit("unrest_s", unrest, "That stays the same for about this long",
+    visit("unrest_s", unrest, "Correlation time of what comes and goes at random",
           InRange(1.0_s, 100000.0_s));
     visit("shear_per_m", shear_per_m,
           "Share of the surface's current that every metre of depth takes away, down to none",

@@ -14,9 +14,8 @@ struct GroundImage {
   double corner = 0.0;    ///< from its centre to its corner, on the ground
 };
 
-/// Share of an image that is in sight where one sees `reach` metres far: its sides are cut by as
-/// much.
-/// Nothing if less than half of them is left: lanes twice as dense are the most that is worth it.
+/// Share of an image's sides that is left of it where one sees `reach` metres far. 0 if that is
+/// less than half: lanes twice as dense are the most that is worth it.
 [[nodiscard]] inline double ShareInSight(const GroundImage& image, double reach) {
   constexpr double kLeast = 0.5;
   const auto& [distance, corner] = image;

@@ -47,28 +47,34 @@ struct BoxModelConstants {
     visit("box_peak", peak, "Share found of what is near, whole and large", InRange(0.0, 1.0));
     visit("box_faint_at", faint_at, "Range over the visibility where half of it is found",
           InRange(0.05, 3.0));
-    visit("box_faint_width", faint_width, "Width of the fall there", InRange(0.001, 1.0));
+    visit("box_faint_width", faint_width, "Width of the fall of the share found there",
+          InRange(0.001, 1.0));
     visit("box_cut_at", cut_at, "Visible fraction at which half is found", InRange(0.0, 1.0));
-    visit("box_cut_width", cut_width, "Width of the fall there", InRange(0.001, 1.0));
+    visit("box_cut_width", cut_width, "Width of the fall of the share found there",
+          InRange(0.001, 1.0));
     visit("box_least_radius_px", least_radius_px, "Smaller images are not found",
           InRange(0.5, 200.0));
     visit("box_centre_sd_px", centre_sd_px, "1-sigma of a near box's centre", InRange(0.0, 50.0));
-    visit("box_size_sd_px", size_sd_px, "1-sigma of its width and height", InRange(0.0, 50.0));
-    visit("box_size_bias_px", size_bias_px, "Mean error of both", InRange(-50.0, 50.0));
+    visit("box_size_sd_px", size_sd_px, "1-sigma of a near box's width and height",
+          InRange(0.0, 50.0));
+    visit("box_size_bias_px", size_bias_px, "Mean error of a near box's width and height",
+          InRange(-50.0, 50.0));
     visit("box_sd_growth_faint", sd_growth_faint,
-          "Growth of these with the square of the range over the visibility", InRange(0.0, 1000.0));
-    visit("box_sd_growth_cut", sd_growth_cut, "Growth with the hidden fraction",
+          "Growth of those 1-sigmas with the square of the range over the visibility",
+          InRange(0.0, 1000.0));
+    visit("box_sd_growth_cut", sd_growth_cut, "Growth of those 1-sigmas with the hidden fraction",
           InRange(0.0, 1000.0));
     visit("box_confidence", confidence, "Mean confidence of a near, whole object",
           InRange(0.0, 1.0));
     visit("box_confidence_loss_faint", confidence_loss_faint,
-          "What it loses with the square of the range over the visibility", InRange(0.0, 2.0));
-    visit("box_confidence_loss_cut", confidence_loss_cut, "What it loses with the hidden fraction",
-          InRange(0.0, 2.0));
-    visit("box_confidence_sd", confidence_sd, "1-sigma around that", InRange(0.0, 1.0));
+          "Confidence lost with the square of the range over the visibility", InRange(0.0, 2.0));
+    visit("box_confidence_loss_cut", confidence_loss_cut,
+          "Confidence lost with the hidden fraction", InRange(0.0, 2.0));
+    visit("box_confidence_sd", confidence_sd, "1-sigma of the confidence", InRange(0.0, 1.0));
     visit("box_confusion_whole", confusion_whole, "Share of whole objects given a wrong class",
           InRange(0.0, 1.0));
-    visit("box_confusion_cut", confusion_cut, "Share of nearly hidden ones", InRange(0.0, 1.0));
+    visit("box_confusion_cut", confusion_cut, "Share of nearly hidden objects given a wrong class",
+          InRange(0.0, 1.0));
   }
 };
 

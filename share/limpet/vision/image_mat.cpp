@@ -8,8 +8,7 @@
 namespace limpet {
 
 cv::Mat MatOf(const ImageView& image) {
-  auto* pixels =
-      const_cast<std::uint8_t*>(image.bgr);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  auto* pixels = const_cast<std::uint8_t*>(image.bgr);
   return {image.height_px, image.width_px, CV_8UC3, pixels};
 }
 
